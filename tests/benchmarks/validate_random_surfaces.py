@@ -21,8 +21,8 @@ from hardcontact.base.arrays import generator
 from hardcontact.base.number import Number
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.pull_off import make_force_function
-from hardcontact.own.hindcast import WIDE_PIXEL
 from hardcontact.own.scan_contact import contact_on_scan
+from hardcontact.own.wide_pixels import WIDE_PIXEL_WIDTH
 from hardcontact.surfaces.height_map import HeightMap, mirror_in_float32
 from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.spectrum import smooth_rolloff
@@ -46,12 +46,12 @@ class Case(NamedTuple):
 def random_case(family, seed, pixels):
     """Return a case; the scan has a number of pixels per row."""
     rng = generator(seed, family)
-    fine_pixel = _between(rng, 8, 40) / WIDE_PIXEL
+    fine_pixel = _between(rng, 8, 40) / WIDE_PIXEL_WIDTH
     rolloff = pixels * _between(rng, 1 / 20, 1 / 2)
-    heights = _heights(family, rng, WIDE_PIXEL * pixels, WIDE_PIXEL * rolloff)
+    heights = _heights(family, rng, WIDE_PIXEL_WIDTH * pixels, WIDE_PIXEL_WIDTH * rolloff)
     heights *= _between(rng, 1, 50) / heights.std()
     fine = level_plane(HeightMap(heights, fine_pixel))
-    blocks = fine.heights.reshape(pixels, WIDE_PIXEL, pixels, WIDE_PIXEL)
+    blocks = fine.heights.reshape(pixels, WIDE_PIXEL_WIDTH, pixels, WIDE_PIXEL_WIDTH)
     coarse = blocks.mean(axis=(1, 3)) if rng.uniform() < 0.5 else blocks[:, 1, :, 1]
     contact = Contact(
         radius=_between(rng, 10e3, 150e3),
@@ -61,7 +61,7 @@ def random_case(family, seed, pixels):
         hardness=25e9,
         contacts_per_row=20,
     )
-    return Case(fine, level_plane(HeightMap(coarse, WIDE_PIXEL * fine_pixel)), contact)
+    return Case(fine, level_plane(HeightMap(coarse, WIDE_PIXEL_WIDTH * fine_pixel)), contact)
 
 
 def _between(rng, low, high):

@@ -13,7 +13,7 @@ from refusals import assert_says, refusal
 from hardcontact.commands.command_line import join_units
 from hardcontact.commands.options import parse_quantities, unit_questions
 from hardcontact.commands.predict import predict_arguments
-from hardcontact.own.own_spectrum import read_spectrum_table
+from hardcontact.own.spectrum_table import read_spectrum_table
 from hardcontact.scans.extrapolation import extrapolate_short_waves, fit_hurst_exponent
 from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER, isotropic_from_profile
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum

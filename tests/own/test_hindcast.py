@@ -11,7 +11,7 @@ from hardcontact.base.arrays import generator
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.own import hindcast
-from hardcontact.own.hindcast import RandomBody, forces_by_pixel_width, widen_pixels
+from hardcontact.own.hindcast import RandomBody
 from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.synthesis import random_surface
 
@@ -139,25 +139,3 @@ def test_each_side_ends_with_an_octave_within_the_reliable_wavelengths():
     assert octaves == {"short": (25, 50), "long": (400, 800)}
     assert hindcast.outermost_octave("short", 20, 30, 50) is None
     assert hindcast.outermost_octave("long", 1000, 600, 2000) is None
-
-
-def test_wide_pixels_have_the_mean_heights_of_their_blocks():
-    heights = np.arange(100.0).reshape(10, 10)
-    wide = widen_pixels(replace(SCAN, heights=heights)).heights
-    for block in (np.s_[:4, :4], np.s_[4:8, 8:], np.s_[8:, 8:]):
-        np.testing.assert_allclose(wide[block], heights[block].mean())
-
-
-def test_wide_pixels_hide_summits():
-    """On a smooth map they change nothing; the sphere's pixels count, too."""
-    flat = replace(SCAN, heights=SCAN.heights * 0)
-    rough = mirror_scan(SCAN)
-    ratios = [
-        float(forces["wide_pixel_force"].mean() / forces["scan_force"].mean())
-        for forces in (
-            forces_by_pixel_width(mirror_scan(flat), None, CONTACT),
-            forces_by_pixel_width(rough, None, CONTACT),
-            forces_by_pixel_width(mirror_scan(flat), rough, CONTACT),
-        )
-    ]
-    assert ratios[0] == pytest.approx(1) and min(ratios[1:]) > 1.02

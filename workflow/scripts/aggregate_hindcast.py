@@ -8,12 +8,12 @@ with run_job(snakemake) as job:
     params = job.parameters
     confidence = params["confidence"]
     forces_by_surface = concatenate(read_by_key(params["scan_ids"], job.input.forces), "map")
-    ratios = {
+    hindcasts = {
         surface: hindcast_dataset(forces, params["tolerance"], confidence)
         for surface, forces in forces_by_surface.items()
     }
     job.write(
-        add_surface_names(stack(ratios, ["surface"]), params).assign_attrs(
+        add_surface_names(stack(hindcasts, ["surface"]), params).assign_attrs(
             confidence=confidence, rho=params["rho"]
         ),
         title="pull-off forces with artificial in place of measured roughness, and on wider pixels",

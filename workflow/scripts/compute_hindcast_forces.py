@@ -3,12 +3,8 @@
 from hardcontact.base.dataset import read_dataset
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.pull_off import make_force_function
-from hardcontact.own.hindcast import (
-    forces_by_pixel_width,
-    hindcast_forces,
-    outermost_octaves,
-    random_bodies,
-)
+from hardcontact.own.hindcast import hindcast_forces, outermost_octaves, random_bodies
+from hardcontact.own.wide_pixels import forces_by_pixel_width
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.height_map import load_height_map
 from hardcontact.surfaces.spectrum import load_spectrum

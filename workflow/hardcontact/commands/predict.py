@@ -27,9 +27,9 @@ from hardcontact.config.faults import collect_faults, raise_faults
 from hardcontact.config.keys import Study
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.hertz_jkr_dmt import assumed_modulus, judge_tabor_parameter
-from hardcontact.own.hindcast import WIDE_PIXEL
 from hardcontact.own.own_spectrum import OwnSpectrum, add_sphere_roughness, read_own_spectrum
 from hardcontact.own.scan_force import prediction_and_scan_force
+from hardcontact.own.wide_pixels import WIDE_PIXEL_WIDTH
 from hardcontact.scans.heights import TAKE_CARE
 from hardcontact.theory.closed_form import wide_contact_message
 from hardcontact.theory.prediction import MAX_NEGLIGIBLE_CHANGE
@@ -168,6 +168,6 @@ def _report(inputs: Inputs, numbers: Mapping[str, Number], arguments: Namespace)
         meanings={name: meaning for name, (_, meaning) in CONTACT_QUANTITIES.items()},
         change_that_matters=MAX_NEGLIGIBLE_CHANGE,
         confidence=PAPER_STUDY.intervals.confidence,
-        finer=WIDE_PIXEL,
+        finer=WIDE_PIXEL_WIDTH,
     )
     return report.rstrip()

@@ -30,8 +30,8 @@ from hardcontact.surfaces.height_map import HeightMap
 
 #: Limits of octaves in nm, from 0.08 nm to 1.3 mm: all wavelengths of spectra.
 OCTAVE_LIMITS: Floats = np.ldexp(10.0, np.arange(-7, 18))
-#: Relative change of an amplitude. In smaller steps single contact pixels would decide. The error
-#: of the central difference grows with the square of the step.
+#: Relative change of an amplitude. With smaller steps single contact pixels would decide; with
+#: larger ones the error of the central difference grows, as the square of the step.
 AMPLITUDE_STEP = 0.05
 #: Factors on the amplitude of an octave.
 AMPLITUDE_FACTORS = (1 - AMPLITUDE_STEP, 1 + AMPLITUDE_STEP)
@@ -51,10 +51,13 @@ def split_octaves(surface: HeightMap, limits: Sequence[float] | Floats) -> Itera
         yield replace(surface, heights=waves.heights - longer.heights)
 
 
-def octave_forces(
+def octave_force_dataset(
     surface: HeightMap, limits: Sequence[float] | Floats, compute_forces: ForcesOnSurface
-) -> Floats:
-    """Return forces (octave, factor, ...) with one octave multiplied by AMPLITUDE_FACTORS."""
+) -> xr.Dataset:
+    """Return ``octave_force`` with one octave multiplied by each of AMPLITUDE_FACTORS.
+
+    The forces (octave, factor, contact_y, contact_x) are in N at 1 J/m².
+    """
     changed_surface = replace(surface, heights=np.empty_like(surface.heights))
 
     def force(octave: HeightMap, factor: float) -> Floats:
@@ -63,16 +66,9 @@ def octave_forces(
         return compute_forces(changed_surface)
 
     octaves = split_octaves(surface, limits)
-    return np.array([[force(octave, factor) for factor in AMPLITUDE_FACTORS] for octave in octaves])
-
-
-def octave_force_dataset(
-    surface: HeightMap, limits: Sequence[float] | Floats, compute_forces: ForcesOnSurface
-) -> xr.Dataset:
-    """Return ``octave_force`` (octave, factor, contact_y, contact_x) in N at 1 J/m²."""
-    dimensions = ("octave", "factor", *CONTACT_AXES)
+    forces = [[force(octave, factor) for factor in AMPLITUDE_FACTORS] for octave in octaves]
     return xr.Dataset(
-        {"octave_force": (dimensions, octave_forces(surface, limits, compute_forces), FORCE_ATTRS)},
+        {"octave_force": (("octave", "factor", *CONTACT_AXES), np.array(forces), FORCE_ATTRS)},
         {
             "octave": ("octave", np.asarray(limits[:-1]), NM),
             "factor": ("factor", list(AMPLITUDE_FACTORS), DIMENSIONLESS),

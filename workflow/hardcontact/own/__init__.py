@@ -1,5 +1,6 @@
-"""What only studies of the user's surfaces need: tests of the extrapolation, predicted forces.
+"""What only the user's surfaces need, in a study or in a prediction without a study.
 
-`hindcast` tests the extrapolation, `force_at_pair` makes force.nc. For predictions without a study,
-`own_spectrum` reads files, `scan_contact` and `scan_force` sum the force on a single map.
+In a study, `hindcast` tests the extrapolation, `wide_pixels` the pixels, and `force_at_pair` makes
+force.nc. For a prediction, `own_spectrum` reads scans and `spectrum_table` a table of a spectrum;
+`scan_contact` and `scan_force` sum the force on a single map.
 """

@@ -34,7 +34,7 @@ from hardcontact.inference.mean_forces import (
     position_half_width,
     summarize_masters,
 )
-from hardcontact.own.hindcast import surface_pixel_factors
+from hardcontact.own.wide_pixels import surface_pixel_factors
 from hardcontact.surfaces.spectrum import spectrum_of_dataset
 from hardcontact.theory.closed_form import closed_form
 from hardcontact.theory.summits import search_size
@@ -67,16 +67,9 @@ def forces_on_scans(
     """Return the pull-off force of every surface at one work and all ranges of adhesion.
 
     ``force`` (surface, contact_model, rho) in N is the mean over contacts and scans,
-    ``force_quantile`` is of single contacts. `adhesion` is at 1 J/m²; scan sizes are in nm. Raises
-    ValueError if forces at the range of the contact were not computed.
+    ``force_quantile`` is of single contacts. `adhesion` is at 1 J/m²; scan sizes are in nm.
     """
     work, rho = contact.work, contact.rho
-    ranges = adhesion.rho.values
-    if not np.isclose(ranges, rho, rtol=1e-9).any():
-        raise ValueError(
-            f"expected a range of adhesion that was computed ({', '.join(f'{r:g}' for r in ranges)}"
-            f" nm), found {rho:g} nm"
-        )
     adhesion_at_work = adhesion.assign(pull_off_force=adhesion.pull_off_force * work)
     forces_by_model = [
         forces_by_surface(adhesion_at_work.sel(contact_model=model), scan_sizes)
@@ -203,7 +196,7 @@ def _widen_intervals(force: xr.Dataset, hindcast: xr.Dataset | None, rho: float)
 
 
 def extend_by_pixel_factors(force: xr.Dataset) -> xr.Dataset:
-    """Extend the intervals of forces on scans to the forces on pixels WIDE_PIXEL times finer."""
+    """Extend the intervals of forces on scans to pixels WIDE_PIXEL_WIDTH times finer."""
     interval = force["force_interval"]
     extended = interval.where(interval["end"] != "low", interval / surface_pixel_factors(force))
     return force.assign(force_interval=extended.transpose(*interval.dims))

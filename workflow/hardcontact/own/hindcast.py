@@ -2,7 +2,6 @@
 
 A hindcast replaces the outermost octave that a scan shows by artificial roughness. If the force
 changes, a random surface cannot extrapolate this scan. On a Gaussian surface it changes little.
-Wider pixels show how much finer pixels may change the force.
 """
 
 from collections.abc import Mapping, Sequence
@@ -17,8 +16,8 @@ from hardcontact.base.arrays import Floats, generator
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import as_variables, student_quantile
 from hardcontact.base.units import DIMENSIONLESS
-from hardcontact.contact.contact import CONTACT_AXES, Contact
-from hardcontact.contact.pull_off import FORCE_ATTRS, ForcesOnSurface, make_force_function
+from hardcontact.contact.contact import CONTACT_AXES
+from hardcontact.contact.pull_off import FORCE_ATTRS, ForcesOnSurface
 from hardcontact.inference.edges import logarithmic_limits
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan
@@ -32,8 +31,6 @@ Octave = tuple[float, float]
 #: on one scan; with twelve, the interval is 1.17 times as wide as with many: t sqrt(1 + 1/12)/1.96,
 #: with Student's t of 11 degrees of freedom, 2.20.
 ARTIFICIAL_OCTAVE_COUNT = 12
-#: Pixels per row of a block with one height.
-WIDE_PIXEL = 4
 
 
 class RandomBody(NamedTuple):
@@ -105,7 +102,7 @@ def hindcast_forces(
     for side, octave in octaves.items():
         if octave is None:
             shape = (1 + ARTIFICIAL_OCTAVE_COUNT, contacts_per_row, contacts_per_row)
-            octave_forces = np.full(shape, np.nan)
+            forces = np.full(shape, np.nan)
         else:
             seed_word = SEED_WORDS[side]
             kept_heights, scan_octave = _split_at_octave(mirrored, side, octave)
@@ -115,11 +112,11 @@ def hindcast_forces(
             ]
             all_octaves = scan_octave, *artificial_octaves
             surfaces = (replace(mirrored, heights=kept_heights + waves) for waves in all_octaves)
-            octave_forces = np.array([compute_forces(surface) for surface in surfaces])
+            forces = np.array([compute_forces(surface) for surface in surfaces])
         axes = ("realization", *CONTACT_AXES)
         variables = {
-            "scan_octave_force": (CONTACT_AXES, octave_forces[0], FORCE_ATTRS),
-            "artificial_octave_force": (axes, octave_forces[1:], FORCE_ATTRS),
+            "scan_octave_force": (CONTACT_AXES, forces[0], FORCE_ATTRS),
+            "artificial_octave_force": (axes, forces[1:], FORCE_ATTRS),
         }
         side_forces[(side,)] = xr.Dataset(variables)
     return stack(side_forces, ["side"])
@@ -156,43 +153,6 @@ def _artificial_octave(
     return np.asarray(mirror_scan(corner).heights)
 
 
-def widen_pixels(surface: HeightMap) -> HeightMap:
-    """Return a map whose blocks of WIDE_PIXEL x WIDE_PIXEL pixels have their mean height."""
-    starts = np.arange(0, surface.pixels, WIDE_PIXEL)
-    counts = np.diff(starts, append=surface.pixels)
-    sums = np.add.reduceat(np.add.reduceat(surface.heights.astype(float), starts, 0), starts, 1)
-    means = sums / np.outer(counts, counts)
-    heights = means.repeat(counts, 0).repeat(counts, 1)
-    return replace(surface, heights=heights.astype(surface.heights.dtype))
-
-
-def forces_by_pixel_width(
-    surface: HeightMap, sphere: HeightMap | None, contact: Contact
-) -> xr.Dataset:
-    """Return ``scan_force`` and ``wide_pixel_force`` (contact_y, contact_x) in N at 1 J/m²."""
-    wide_sphere = None if sphere is None else widen_pixels(sphere)
-    forces = {
-        "scan_force": make_force_function(contact, sphere)(surface),
-        "wide_pixel_force": make_force_function(contact, wide_sphere)(widen_pixels(surface)),
-    }
-    return xr.Dataset({name: (CONTACT_AXES, force, FORCE_ATTRS) for name, force in forces.items()})
-
-
-def finer_pixel_factors(wide_pixel_ratios: np.ndarray | float) -> np.ndarray:
-    """Return the largest factors by which finer pixels may lower forces; 1 where a ratio is NaN.
-
-    They are the factors by which wider pixels raise the force
-    (tests/benchmarks/validate_random_surfaces.py).
-    """
-    return np.asarray(np.fmax(wide_pixel_ratios, 1.0))
-
-
-def surface_pixel_factors(force: xr.Dataset) -> xr.DataArray:
-    """Return the factors (surface) by which finer pixels may lower forces, 1 for substitutes."""
-    ratios = force.get("wide_pixel_ratio", xr.ones_like(force["surface"], dtype=float))
-    return ratios.copy(data=finer_pixel_factors(ratios.values))
-
-
 def hindcast_ratios(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
     """Return ``hindcast_ratio`` and ``hindcast_fails`` (side) from the forces on maps of a surface.
 
@@ -224,7 +184,7 @@ def hindcast_dataset(forces: xr.Dataset, tolerance: float, confidence: float) ->
 
     ``wide_pixel_ratio`` is on wide pixels, ``filtered_scan_ratio`` without the waves shorter than
     the outermost octave. The forces (map, ...) come from `hindcast_forces` and
-    `forces_by_pixel_width`.
+    `wide_pixels.forces_by_pixel_width`.
     """
     means = forces.mean(["map", *CONTACT_AXES])
     filtered = means["scan_octave_force"].sel(side="short", drop=True) / means["scan_force"]

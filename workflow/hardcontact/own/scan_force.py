@@ -24,9 +24,9 @@ from hardcontact.inference.mean_forces import (
     mean_intervals,
     position_half_width,
 )
-from hardcontact.own.hindcast import finer_pixel_factors, widen_pixels
 from hardcontact.own.own_spectrum import OwnSpectrum
 from hardcontact.own.scan_contact import Obstacle, contact_on_scan, find_obstacle
+from hardcontact.own.wide_pixels import finer_pixel_factors, widen_pixels
 from hardcontact.scans.joined_spectrum import ScanSpectrum
 from hardcontact.surfaces.height_map import HeightMap, mirror_in_float32
 from hardcontact.surfaces.spectrum import Spectrum, measured_psds
@@ -89,32 +89,30 @@ def force_on_scan(
     spectrum, _, scans, body_maps = own_spectrum
     if not (scans and isinstance(spectrum, ScanSpectrum)):
         return {}
-    status, shortest_range = find_obstacle(scans, contact)
-    if status:
-        no_force = [Number("force_on_scan", math.nan, "N", status=status)]
-        if status == Obstacle.SHORT_RANGE:
-            no_force.append(Number("shortest_range", shortest_range, "nm"))
-        return numbers_by_name(*no_force)
+    obstacle, shortest_range = find_obstacle(scans, contact)
+    if obstacle:
+        numbers = [Number("force_on_scan", math.nan, "N", status=obstacle)]
+        if obstacle == Obstacle.SHORT_RANGE:
+            numbers.append(Number("shortest_range", shortest_range, "nm"))
+        return numbers_by_name(*numbers)
     scan = scans[0]
     mirrored_scan = mirror_in_float32(scan)
     contact = contact_on_scan(scan, contact)
     surface_forces = _surface_forces(scan, mirrored_scan, body_maps, contact)
     wide_pixel_ratio = _wide_pixel_ratio(scan, mirrored_scan, contact)
-    # Finer pixels may lower forces by this factor, but not raise them.
-    finer_pixel_factor = float(finer_pixel_factors(wide_pixel_ratio))
-    force = _mean_force(surface_forces, smooth_force(contact), confidence)
-    force = force._replace(low=force.low / finer_pixel_factor)
+    # Finer pixels may lower forces, but not raise them: they lower the low end of intervals.
+    pixel_factor = float(finer_pixel_factors(wide_pixel_ratio))
+    force = _mean_force(surface_forces, smooth_force(contact), pixel_factor, confidence)
     search_width = search_size(spectrum.extrapolated(), contact.radius, contact.area)
     size_status = ScanSize.SMALL if scan.size < LARGE_SIZE_RATIO * search_width else ScanSize.LARGE
     _, small_scan_ratio = finite_scan_ratio(scan.size, search_width)
-    closed_form_number = _closed_form_number(mirrored_scan, force, small_scan_ratio, contact)
     return numbers_by_name(
         force,
         Number("force_on_scan_over_smooth", force.value / smooth_force(contact)),
         Number("wide_pixel_ratio", wide_pixel_ratio),
         *_scatter_numbers(surface_forces, confidence),
         Number("search_size", search_width, "nm", status=size_status),
-        closed_form_number._replace(low=closed_form_number.low / finer_pixel_factor),
+        _closed_form_number(mirrored_scan, force, small_scan_ratio, pixel_factor, contact),
     )
 
 
@@ -134,12 +132,14 @@ def _surface_forces(
     return forces_of_surface(forces.expand_dims("scan"), scan.size, contact.radius, touched_patches)
 
 
-def _mean_force(surface_forces: SurfaceForces, smooth: float, confidence: float) -> Number:
+def _mean_force(
+    surface_forces: SurfaceForces, smooth: float, pixel_factor: float, confidence: float
+) -> Number:
     """Return the mean plastic force (N); it and its interval are at most the `smooth` force."""
     values = np.append(surface_forces.mean, mean_intervals(surface_forces, confidence)[0])
     mean, low, high = limit_forces(values, smooth).tolist()
     source = surface_forces.scan_parts[0].interval_source
-    return Number("force_on_scan", mean, "N", low, high, source)
+    return Number("force_on_scan", mean, "N", low / pixel_factor, high, source)
 
 
 def _wide_pixel_ratio(scan: HeightMap, mirrored_scan: HeightMap, contact: Contact) -> float:
@@ -159,7 +159,11 @@ def _scatter_numbers(surface_forces: SurfaceForces, confidence: float) -> Iterat
 
 
 def _closed_form_number(
-    mirrored_scan: HeightMap, force: Number, small_scan_ratio: float, contact: Contact
+    mirrored_scan: HeightMap,
+    force: Number,
+    small_scan_ratio: float,
+    pixel_factor: float,
+    contact: Contact,
 ) -> Number:
     """Return the force in closed form for all wavelengths of the mirrored scan.
 
@@ -181,5 +185,6 @@ def _closed_form_number(
         status = ClosedFormStatus.AGREES
     else:
         status = ClosedFormStatus.OUTSIDE
-    interval = (low, high) if status == ClosedFormStatus.AGREES else (math.nan, math.nan)
-    return Number("closed_form_on_scan", formula.force, "N", *interval, status)
+    if status != ClosedFormStatus.AGREES:
+        low, high = math.nan, math.nan
+    return Number("closed_form_on_scan", formula.force, "N", low / pixel_factor, high, status)

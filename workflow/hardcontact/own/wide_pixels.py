@@ -1,0 +1,50 @@
+"""Forces on wider pixels, because these show how much finer pixels may lower the force."""
+
+from dataclasses import replace
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.contact.contact import CONTACT_AXES, Contact
+from hardcontact.contact.pull_off import FORCE_ATTRS, make_force_function
+from hardcontact.surfaces.height_map import HeightMap
+
+#: Width of a wide pixel in pixels of the scan.
+WIDE_PIXEL_WIDTH = 4
+
+
+def widen_pixels(surface: HeightMap) -> HeightMap:
+    """Return a map whose square blocks of WIDE_PIXEL_WIDTH pixels a side have their mean height."""
+    starts = np.arange(0, surface.pixels, WIDE_PIXEL_WIDTH)
+    counts = np.diff(starts, append=surface.pixels)
+    sums = np.add.reduceat(np.add.reduceat(surface.heights.astype(float), starts, 0), starts, 1)
+    means = sums / np.outer(counts, counts)
+    heights = means.repeat(counts, 0).repeat(counts, 1)
+    return replace(surface, heights=heights.astype(surface.heights.dtype))
+
+
+def forces_by_pixel_width(
+    surface: HeightMap, sphere: HeightMap | None, contact: Contact
+) -> xr.Dataset:
+    """Return ``scan_force`` and ``wide_pixel_force`` (contact_y, contact_x) in N at 1 J/m²."""
+    wide_sphere = None if sphere is None else widen_pixels(sphere)
+    forces = {
+        "scan_force": make_force_function(contact, sphere)(surface),
+        "wide_pixel_force": make_force_function(contact, wide_sphere)(widen_pixels(surface)),
+    }
+    return xr.Dataset({name: (CONTACT_AXES, force, FORCE_ATTRS) for name, force in forces.items()})
+
+
+def finer_pixel_factors(wide_pixel_ratios: np.ndarray | float) -> np.ndarray:
+    """Return the largest factors by which finer pixels may lower forces; 1 where a ratio is NaN.
+
+    They are the factors by which wider pixels raise the force
+    (tests/benchmarks/validate_random_surfaces.py).
+    """
+    return np.asarray(np.fmax(wide_pixel_ratios, 1.0))
+
+
+def surface_pixel_factors(force: xr.Dataset) -> xr.DataArray:
+    """Return the factors (surface) by which finer pixels may lower forces, 1 for substitutes."""
+    ratios = force.get("wide_pixel_ratio", xr.ones_like(force["surface"], dtype=float))
+    return ratios.copy(data=finer_pixel_factors(ratios.values))
