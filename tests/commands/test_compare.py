@@ -7,13 +7,14 @@ import pytest
 from html_page import Page
 from paper_study import answer
 from refusals import assert_says, refusal
-from repository import PAPER, merge_configurations
+from repository import PAPER
 
 from hardcontact.base.number import Number
 from hardcontact.commands.compare import compare, compare_arguments
+from hardcontact.config.configuration import merge_overlay
 from hardcontact.report.study_comparison import ComparedNumber, compare_answers
 
-HARDER = merge_configurations(PAPER, {"study": "harder", "contact": {"hardness": "30 GPa"}})
+HARDER = merge_overlay(PAPER, {"study": "harder", "contact": {"hardness": "30 GPa"}})
 
 
 @pytest.fixture(scope="module")

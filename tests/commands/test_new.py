@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 import yaml
 from refusals import assert_says
-from repository import PAPER, ROOT, merge_configurations
+from repository import PAPER, ROOT
 from scan_files import write_container, write_nanoscope, write_scan
 
 from hardcontact.commands import command_line, new, options, request
-from hardcontact.config.configuration import apply_effort, numeric_configuration
+from hardcontact.config.configuration import apply_effort, merge_overlay, numeric_configuration
 from hardcontact.config.selected_surfaces import surface_table
 from hardcontact.run import checks
 
@@ -64,7 +64,7 @@ def accepted(folder, done, effort="full"):
     assert done.code == 0 and not done.errors, done.errors
     overlay = yaml.safe_load((folder / f"config/{NAME}.yaml").read_text("utf-8"))
     quick = overlay.pop("quick")
-    config = merge_configurations(PAPER, overlay)
+    config = merge_overlay(PAPER, overlay)
     if effort == "quick":
         config = apply_effort(config | {"effort": "quick", "quick": quick})
     config = numeric_configuration(config)

@@ -2,17 +2,15 @@
 
 import re
 import time
-from functools import reduce
 
 import pytest
 import yaml
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from paper_numbers import SUBSTRATES
-from repository import PAPER, ROOT, TINY, dotted_keys, merge_configurations
-from studies import replace_value
+from repository import PAPER, ROOT, TINY, dotted_keys
 
-from hardcontact.config.configuration import numeric_configuration
+from hardcontact.config.configuration import get_key, merge_overlay, numeric_configuration, set_keys
 from hardcontact.config.selected_surfaces import selected_scans, surface_table
 from hardcontact.run import checks
 
@@ -99,13 +97,13 @@ def outcome(config):
 
 @pytest.mark.parametrize("file", ["config/config.yaml", "config/quick.yaml", TINY])
 def test_the_study_of_the_paper_and_smaller_ones_are_valid(file):
-    assert outcome(merge_configurations(PAPER, yaml.safe_load((ROOT / file).read_text()))) is None
+    assert outcome(merge_overlay(PAPER, yaml.safe_load((ROOT / file).read_text()))) is None
 
 
 @SETTINGS
 @given(st.sampled_from(LEAVES + BRANCHES), values)
 def test_any_value_at_any_key_is_accepted_or_refused_with_the_key(path, value):
-    message = outcome(replace_value(PAPER, path.split("."), value))
+    message = outcome(set_keys(PAPER, {path: value}))
     assert message is None or message.startswith("config key")
 
 
@@ -116,11 +114,10 @@ def test_values_near_the_paper_s_become_numbers_or_are_refused(data):
     config = PAPER
     several_keys = st.lists(st.sampled_from(LEAVES), min_size=1, max_size=6, unique=True)
     for path in data.draw(several_keys):
-        path = path.split(".")
-        config = replace_value(config, path, data.draw(near(reduce(dict.get, path, PAPER))))
+        config = set_keys(config, {path: data.draw(near(get_key(PAPER, path)))})
     if outcome(config) is None:
         numbers = numeric_configuration(config)
         for path in LEAVES:
-            value = reduce(dict.get, path.split("."), numbers)
+            value = get_key(numbers, path)
             for item in value if isinstance(value, list) else [value]:
                 assert isinstance(item, str | dict) or 0 <= abs(item) < 1e14

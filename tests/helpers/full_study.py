@@ -13,8 +13,8 @@ from pathlib import Path
 
 import pandas as pd
 import xarray as xr
+from repository import ROOT
 
-ROOT = Path(__file__).parents[2]
 #: The table of the full study.
 TABLE = ROOT / "tests/full_study.csv"
 #: Files of a study that the README shows.

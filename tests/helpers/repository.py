@@ -26,23 +26,20 @@ DESCRIPTION_HEADER = (
 CACHES = shutil.ignore_patterns("__pycache__", "*.egg-info")
 
 
-def copy_repository(target):
+def copy_repository(target, source=ROOT, ignore=CACHES):
     """Copy the files that a study needs, without results; return `target`."""
     (target / "tests").mkdir(parents=True)
     for name in STUDY_FILES:
-        if (ROOT / name).is_dir():
-            shutil.copytree(ROOT / name, target / name, ignore=CACHES)
+        if (source / name).is_dir():
+            shutil.copytree(source / name, target / name, ignore=ignore)
         else:
-            shutil.copy2(ROOT / name, target / name)
+            shutil.copy2(source / name, target / name)
     return target
 
 
 def linked_copy(finished, folder):
     """Copy the sources of a finished study, to be changed, and link its results."""
-    (folder / "tests").mkdir(parents=True)
-    for name in STUDY_FILES:
-        copy = shutil.copytree if (finished / name).is_dir() else shutil.copy2
-        copy(finished / name, folder / name)
+    copy_repository(folder, finished, ignore=None)
     for name in ("results", ".snakemake"):
         (folder / name).symlink_to(finished / name)
     return folder
@@ -74,9 +71,8 @@ def run_snakemake_with_forks(folder, *arguments):
 
 def snakemake_output(folder, *words):
     """Return the output of a run of Snakemake without jobs: a dry run, or a summary."""
-    run = run_snakemake(folder, *words)
-    assert run.returncode == 0, run.stdout
-    return run.stdout
+    (output,) = snakemake_outputs(folder, [words])
+    return output
 
 
 def snakemake_outputs(folder, runs):
@@ -111,11 +107,3 @@ def dotted_keys(tree, path=()):
             yield from dotted_keys(value, (*path, key))
         else:
             yield ".".join((*path, key))
-
-
-def merge_configurations(base, overlay):
-    """Merge an overlay into a configuration at any depth, as Snakemake does."""
-    return base | {
-        key: merge_configurations(base[key], value) if isinstance(value, dict) else value
-        for key, value in overlay.items()
-    }

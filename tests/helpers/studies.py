@@ -1,14 +1,12 @@
 """Studies that differ from the paper's study: their numbers, checks, tables, scans and files."""
 
-from functools import reduce
-
 import pandas as pd
 import yaml
-from repository import PAPER, ROOT, ROWS, TINY, merge_configurations
+from repository import PAPER, ROOT, ROWS, TINY
 
 from hardcontact.base.published import surfaces_of_table1
 from hardcontact.config import selected_surfaces
-from hardcontact.config.configuration import numeric_configuration
+from hardcontact.config.configuration import merge_overlay, numeric_configuration, set_keys
 from hardcontact.config.study_plan import StudyPlan
 from hardcontact.files.paths import SurfaceFiles
 from hardcontact.run import checks
@@ -17,23 +15,10 @@ from hardcontact.run import checks
 FILES_DIGEST = "0123abcd"
 
 
-def replace_value(config, path, value):
-    """Return a configuration with the value at one path (list of keys) replaced."""
-    *branch, last_key = path
-    copy = section = dict(config)
-    for key in branch:
-        section[key] = section = dict(section[key])
-    section[last_key] = value
-    return copy
-
-
 def paper_configuration(*values):
     """Return the paper's configuration in numbers with other values: key, value, key, value."""
     pairs = zip(values[::2], values[1::2], strict=True)
-    config = reduce(
-        lambda config, pair: replace_value(config, pair[0].split("."), pair[1]), pairs, PAPER
-    )
-    return numeric_configuration(config)
+    return numeric_configuration(set_keys(PAPER, dict(pairs)))
 
 
 def read_surfaces(text, folder):
@@ -70,7 +55,7 @@ def configured_files(config):
 
 def tiny_files():
     """Return the files of the tiny study."""
-    return configured_files(merge_configurations(PAPER, yaml.safe_load((ROOT / TINY).read_text())))
+    return configured_files(merge_overlay(PAPER, yaml.safe_load((ROOT / TINY).read_text())))
 
 
 def study_files(*values, scans=(1, 2), measured_surfaces=()):

@@ -11,7 +11,8 @@ from repository import ROOT
 from snakemake.logging import DefaultFormatter
 from snakemake_interface_logger_plugins.common import LogEvent
 
-from snakemake_logger_plugin_stages import STUDY_LOGGER, LogHandler
+from snakemake_logger_plugin_stages import LogHandler
+from snakemake_logger_plugin_stages.cluster import study_logger
 from snakemake_logger_plugin_stages.costs import Stage, read_stages
 
 #: Rules of jobs; `my_rule` is not in the table of stages.
@@ -154,7 +155,7 @@ def test_a_job_that_a_cluster_ends_is_shown_by_the_study_alone(capsys):
     plan = info("long list", LogEvent.RUN_INFO, stats={"my_rule": 1, "total": 1})
     failed = {"event": LogEvent.JOB_ERROR, "rule_name": "my_rule", "log": [], "indent": False}
     records = [
-        (logging.ERROR, STUDY_LOGGER, "SLURM job my_rule: TIMEOUT", {}),
+        (logging.ERROR, study_logger.name, "SLURM job my_rule: TIMEOUT", {}),
         (logging.ERROR, "snakemake.logging", "", failed | {"rule_msg": "SLURM-job '1' failed"}),
         (logging.ERROR, "snakemake.logging", "", {"event": LogEvent.GROUP_ERROR}),
         (logging.ERROR, "snakemake.logging", "", failed | {"rule_msg": None, "indent": True}),

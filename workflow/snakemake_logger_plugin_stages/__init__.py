@@ -20,13 +20,11 @@ from snakemake.common import NOTHING_TO_BE_DONE_MSG
 from snakemake_interface_logger_plugins.base import LogHandlerBase
 from snakemake_interface_logger_plugins.common import LogEvent
 
-from snakemake_logger_plugin_stages.cluster import log_reasons
+from snakemake_logger_plugin_stages.cluster import log_reasons, study_logger
 from snakemake_logger_plugin_stages.command_line import cost_column, error_line, refuse_faults
 from snakemake_logger_plugin_stages.costs import Stage, read_stages, stage_of
 from snakemake_logger_plugin_stages.home import provide_home
 
-#: The logger of a study's own messages.
-STUDY_LOGGER = "snakemake.logging.study"
 #: The home of a user without one.
 HOME = Path(".snakemake/home")
 #: Seconds without a line after which a line reports the progress: nobody waits longer in doubt.
@@ -100,7 +98,7 @@ class LogHandler(LogHandlerBase):
             pass
         elif (
             record.levelno >= WARNING
-            or record.name == STUDY_LOGGER
+            or record.name == study_logger.name
             or record.getMessage() == NOTHING_TO_BE_DONE_MSG
         ):
             self._say(self.format(record))

@@ -12,7 +12,7 @@ from typing import Any
 from snakemake_interface_executor_plugins.executors.remote import RemoteExecutor
 
 #: The logger of the study's own messages.
-logger = logging.getLogger("snakemake.logging.study")
+study_logger = logging.getLogger("snakemake.logging.study")
 PROFILE = "profiles/slurm/profile.yaml"
 #: Words of SLURM's reason, and the key of a job's resources that mends it: the first that fits.
 KEYS = {
@@ -45,7 +45,7 @@ def log_reasons() -> None:
 def _log_reason(executor: Any, job_info: Any, msg: str | None = None, **fields: Any) -> None:
     line = failure(job_info.job, msg or "", fields.get("aux_logs", []))
     if line not in _logged:
-        logger.error(line)
+        study_logger.error(line)
     _logged.add(line)
     _print_job_error(executor, job_info, msg, **fields)
 

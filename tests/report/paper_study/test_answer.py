@@ -8,9 +8,10 @@ from jsonschema import Draft202012Validator
 from paper_datasets import published_table1, scan_size, topography
 from paper_numbers import LABELS, SUBSTRATES
 from paper_study import answer, claims, datasets
-from repository import PAPER, ROOT, merge_configurations
+from repository import PAPER, ROOT
 
 from hardcontact.base.number import Number
+from hardcontact.config.configuration import merge_overlay
 from hardcontact.report.paper_study.answer import ANSWER_CLAIMS
 from hardcontact.report.paper_study.tables import table1_rows
 from hardcontact.report.quantities import numbers_of_answer
@@ -59,7 +60,7 @@ def test_grids_coarser_than_the_paper_s_are_recognized(grid, effort):
 ])  # fmt: skip
 def test_a_study_of_other_contacts_names_what_is_not_the_paper_s(overlay, inputs):
     """Other names, seeds, grids and units are no other contacts; the work is fitted."""
-    content = answer(configuration=merge_configurations(PAPER, overlay))
+    content = answer(configuration=merge_overlay(PAPER, overlay))
     assert [row["input"] for row in content["changed"]] == inputs
     assert all(row["study"] == content["contact"][row["input"]] for row in content["changed"])
     judgements = [

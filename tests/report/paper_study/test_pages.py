@@ -8,9 +8,10 @@ import pytest
 from html_page import Page
 from paper_study import answer, captions, claims, figures, make_figures_page, make_page
 from refusals import assert_says
-from repository import PAPER, merge_configurations
+from repository import PAPER
 
 from hardcontact.base.formatting import format_as_paper
+from hardcontact.config.configuration import merge_overlay
 from hardcontact.paper.claims.verdicts import VERDICTS
 from hardcontact.report.figures.listing import PAPER_FIGURES
 from hardcontact.report.quantities import numbers_of_answer
@@ -80,7 +81,7 @@ def test_the_page_of_figures_has_each_with_its_caption_and_its_file():
 
 
 def test_a_study_of_other_contacts_shows_both_values_and_judges_nothing():
-    harder = merge_configurations(PAPER, {"study": "harder", "contact": {"hardness": "30 GPa"}})
+    harder = merge_overlay(PAPER, {"study": "harder", "contact": {"hardness": "30 GPa"}})
     page = Page(make_page(configuration=harder))
     words = plain(page.texts["main"][0])
     assert words.startswith("What changes?")
