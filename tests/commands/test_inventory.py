@@ -7,7 +7,8 @@ import pytest
 from refusals import assert_says
 from scan_files import write_scan
 
-from hardcontact.commands.inventory import read_inventory, table_rows
+from hardcontact.commands.inventory import read_inventory
+from hardcontact.commands.new import surface_rows
 from hardcontact.commands.request import ScanFile, list_scan_files, new_arguments
 from hardcontact.scans import reading
 from hardcontact.scans.reading import ReadingOptions
@@ -106,4 +107,4 @@ def test_the_tip_option_serves_only_files_that_state_no_tip_radius(
     )
     scan = only_scan(path, 12.0)
     assert scan.tip_radius == used_radius
-    assert table_rows([scan], [scan], "12 nm")[0]["tip_radius"] == table_radius
+    assert surface_rows([scan], [scan], "12 nm")[0]["tip_radius"] == table_radius

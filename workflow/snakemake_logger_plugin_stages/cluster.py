@@ -14,21 +14,21 @@ from snakemake_interface_executor_plugins.executors.remote import RemoteExecutor
 #: The logger of the study's own messages.
 study_logger = logging.getLogger("snakemake.logging.study")
 PROFILE = "profiles/slurm/profile.yaml"
-#: Words of SLURM's reason, and the key of a job's resources that mends it: the first that fits.
-KEYS = {
+#: Patterns of SLURM's reasons, each with the resource of a job that mends it; the first decides.
+REMEDIES = {
     r"account": "slurm_account",
     r"partition": "slurm_partition",
     r"time ?(limit|out)": "runtime",
     r"memory|oom.kill|node configuration": "mem_mb",
 }
-#: What the executor reports: the message of sbatch, or that of an exception, or the state of a job.
-REPORTS = (
+#: Where messages of the executor have the reason: from sbatch, an exception, or the job's state.
+REASON_PATTERNS = (
     r"The error message was '(.*?)'\.\n",
     r"Job submission failed with exception: (.*)",
     r"SLURM status is: '(\w+)'",
 )
-#: What SLURM adds to the output of a job that it ends.
-ADDITION = re.compile(r"^slurmstepd\S*: error: (.*)$", re.M)
+#: The line that SLURM adds to the output of a job that it ends.
+SLURM_LINE = re.compile(r"^slurmstepd\S*: error: (.*)$", re.M)
 
 
 #: What the executor does with a job that failed.
@@ -54,9 +54,9 @@ def failure(job: Any, message: str, logs: Iterable[str]) -> str:
     """Return the line of a job that failed, from the message of the executor and SLURM's logs."""
     files = [Path(log) for log in logs if log and Path(log).is_file()]
     texts = [file.read_text("utf-8", "replace") for file in files]
-    additions = [addition for text in texts for addition in ADDITION.findall(text)]
-    reason = ": ".join([_reason(message), *additions[:1]])
-    key = next((KEYS[words] for words in KEYS if re.search(words, reason, re.I)), "")
+    slurm_lines = [line for text in texts for line in SLURM_LINE.findall(text)]
+    reason = ": ".join([_reason(message), *slurm_lines[:1]])
+    key = next((key for words, key in REMEDIES.items() if re.search(words, reason, re.I)), "")
     remedy = f": change {key} (now {job.resources.get(key)}) in {PROFILE}" if key else ""
     see = f", see {files[0]}" if files else ""
     return f"SLURM job {job.name}: {reason}{remedy}{see}"
@@ -64,6 +64,7 @@ def failure(job: Any, message: str, logs: Iterable[str]) -> str:
 
 def _reason(message: str) -> str:
     """Return the reason in a message of the executor, on one line."""
-    matches = [match[1] for report in REPORTS if (match := re.search(report, message, re.S))]
-    text = re.sub(r"sbatch: error: |Batch job submission failed: ", "", (matches or [message])[0])
+    matches = (re.search(pattern, message, re.S) for pattern in REASON_PATTERNS)
+    reason = next((match[1] for match in matches if match), message)
+    text = re.sub(r"sbatch: error: |Batch job submission failed: ", "", reason)
     return "; ".join(map(str.strip, text.splitlines()))

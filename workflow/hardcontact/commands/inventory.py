@@ -1,4 +1,4 @@
-"""The scans in the user's files: what each file states, what is measured on it, and tables.
+"""The scans in the user's files: what each file states, and what is measured on it.
 
 A copy is the same scan again, which is a fault. A repetition shows the area of an earlier scan, as
 trace and retrace do, and is left out.
@@ -12,23 +12,17 @@ from pathlib import PurePath
 import numpy as np
 
 from hardcontact.base.arrays import Floats
-from hardcontact.base.formatting import format_length
-from hardcontact.commands.outputs import align_cells
 from hardcontact.commands.request import ScanFile
-from hardcontact.config.selected_surfaces import CONTACT_USE
 from hardcontact.contact.numerical_limits import Extent
 from hardcontact.scans.defects import level_and_list_defects
-from hardcontact.scans.heights import split_notes
 from hardcontact.scans.measured_spectrum import isotropic_psd
 from hardcontact.scans.reading import DEFAULT_OPTIONS, ReadingOptions, list_scans
-from hardcontact.scans.reliable_band import LIMIT_NAMES, ReliableBand, reliable_band
+from hardcontact.scans.reliable_band import ReliableBand, reliable_band
 from hardcontact.scans.scan_pairs import coarse_map, repetition_notes
 from hardcontact.surfaces.height_map import HeightMap
 
 #: How undefined pixels are filled, so that the properties of the scan can be measured.
 FILLING = DEFAULT_OPTIONS.undefined_pixels
-#: The use of scans that only enter the spectrum of their surface.
-SPECTRUM_USE = "spectrum"
 
 
 @dataclass(frozen=True, eq=False)  # A scan equals no other one.
@@ -185,56 +179,3 @@ def _measure_scan(scan_file: ScanFile, scan: HeightMap, options: ReadingOptions)
         defects=flat.defects,
         coarse=coarse_map(flat),
     )
-
-
-def printed_table(scans: Sequence[UserScan], contact_scans: Sequence[UserScan]) -> str:
-    """Return a table of the scans and their uses, with notes on their reading below."""
-    rows = []
-    notes = []
-    for number, scan in enumerate(scans, 1):
-        is_map = scan.kind == "map"
-        band_ends = [format_length(end) for end in (scan.band.shortest, scan.band.longest)]
-        rows.append(
-            {
-                "": str(number),
-                "surface": scan.scan_file.label,
-                "file": scan.name,
-                "channel": scan.channel,
-                "kind": "height map" if is_map else "line scan",
-                "size": format_length(scan.size),
-                "pixels": f"{scan.pixels} x {scan.pixels}" if is_map else str(scan.pixels),
-                "unit": scan.file_unit,
-                "rms": format_length(scan.rms_height),
-                "peak to valley": format_length(scan.peak_to_valley),
-                "tip radius": format_length(scan.tip_radius) if scan.tip_radius else "unknown",
-                "reliable": " to ".join(band_ends) if scan.has_reliable_wavelengths else "none",
-                "used for": CONTACT_USE if scan in contact_scans else SPECTRUM_USE,
-            }
-        )
-        notes += [f"{number}: {note}" for note in split_notes(scan.notes)[0]]
-        if scan.band.limited_by != "pixels":
-            limit = LIMIT_NAMES[scan.band.limited_by]
-            notes.append(f"{number}: shorter wavelengths are not reliable: {limit}")
-    return "\n".join([*align_cells([[*rows[0]], *([*row.values()] for row in rows)]), *notes])
-
-
-def table_rows(
-    scans: Sequence[UserScan], contact_scans: Sequence[UserScan], tip_radius: str
-) -> list[dict[str, str]]:
-    """Return the rows of the table of surfaces by column; scans that make contacts come first."""
-    return [
-        {
-            "surface": surface,
-            "label": scan.scan_file.label,
-            "scan": str(number),
-            "source": "measured",
-            "path": scan.scan_file.path,
-            "dataset": scan.dataset,
-            "use": CONTACT_USE if scan in contact_scans else SPECTRUM_USE,
-            "tip_radius": tip_radius if scan.is_tip_given else "",
-        }
-        for surface, surface_scans in scans_by_surface(scans).items()
-        for number, scan in enumerate(
-            sorted(surface_scans, key=lambda scan: scan not in contact_scans), 1
-        )
-    ]

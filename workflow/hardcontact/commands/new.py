@@ -9,13 +9,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from hardcontact.base.dataset import write_text_file
-from hardcontact.commands.inventory import (
-    UserScan,
-    printed_table,
-    read_inventory,
-    scans_by_surface,
-    table_rows,
-)
+from hardcontact.commands.inventory import UserScan, read_inventory, scans_by_surface
+from hardcontact.commands.new_report import report_lines
 from hardcontact.commands.options import (
     QuantityOption,
     contact_of_quantities,
@@ -37,7 +32,7 @@ from hardcontact.config.force_table import read_forces
 from hardcontact.config.key_tables import commented_yaml
 from hardcontact.config.keys import NONE, SMOOTH_SPHERE
 from hardcontact.config.limits import refuse_unfit_values
-from hardcontact.config.selected_surfaces import SurfaceRow
+from hardcontact.config.selected_surfaces import CONTACT_USE, SPECTRUM_USE, SurfaceRow
 from hardcontact.config.user_files import read_yaml
 from hardcontact.records.code import ROOT
 
@@ -53,7 +48,7 @@ def new_study(arguments: Namespace) -> str:
     )
     faults += [*file_faults, *scan_faults]
     surfaces = [scan_file.surface for scan_file in scan_files]
-    checked_rows = table_rows(scans, contact_scans=[], tip_radius=tip_text)
+    checked_rows = surface_rows(scans, contact_scans=[], tip_radius=tip_text)
     all_faults = [*name_faults(arguments), *faults]
     all_faults += _cell_faults(arguments, checked_rows, surfaces, radius)
     if not faults:  # Faults of the input can cause faults of the proposal.
@@ -61,10 +56,10 @@ def new_study(arguments: Namespace) -> str:
             proposal, choices = _propose_study(arguments, quantities, scans)
     if all_faults:
         raise_faults([*all_faults, *unit_questions(quantities)])
-    rows = table_rows(scans, proposal.contact_scans, tip_text)
+    rows = surface_rows(scans, proposal.contact_scans, tip_text)
     table = "".join("\t".join(cells) + "\n" for cells in (rows[0], *(row.values() for row in rows)))
     report = [
-        *_report_lines(scans, left_out, proposal, choices),
+        *report_lines(scans, left_out, proposal, choices),
         *_write_study(arguments.name, table, choices, proposal.quick),
     ]
     return "\n".join(report)
@@ -158,31 +153,26 @@ def _choices_without_scans(
             yield Choice(key, quantity.text, f"{meaning}: {origin}")
 
 
-def _report_lines(
-    scans: Sequence[UserScan], left_out: list[str], proposal: Proposal, choices: Sequence[Choice]
-) -> Iterator[str]:
-    """Yield the lines of the report on the scans and the choices."""
-    yield "Found:"
-    yield printed_table(scans, proposal.contact_scans)
-    labels = {scan.scan_file.surface: scan.scan_file.label for scan in scans}
-    ids = [f"{surface} is {label}" for surface, label in labels.items() if surface != label]
-    if ids:
-        yield f"\nIds of surfaces in paths and tables, also in that of forces: {', '.join(ids)}"
-    if left_out:
-        yield "\nLeft out:"
-        yield from left_out
-    yield "\nContacts are made on:"
-    yield from proposal.reasons
-    yield "\nChosen:"
-    for key, value, reason in choices:
-        if isinstance(value, list):
-            is_short = len(value) <= len(CONTACT_QUANTITIES)
-            ends = f"{len(value)} values, {value[0]} to {value[-1]}"
-            value = ", ".join(value) if is_short else ends
-        yield f"{key}: {value}" + (f" ({reason})" if reason else "")
-    if proposal.cautions:
-        yield "\nTake care:"
-        yield from (f"- {caution}" for caution in proposal.cautions)
+def surface_rows(
+    scans: Sequence[UserScan], contact_scans: Sequence[UserScan], tip_radius: str
+) -> list[dict[str, str]]:
+    """Return the rows of the table of surfaces by column; scans that make contacts come first."""
+    return [
+        {
+            "surface": surface,
+            "label": scan.scan_file.label,
+            "scan": str(number),
+            "source": "measured",
+            "path": scan.scan_file.path,
+            "dataset": scan.dataset,
+            "use": CONTACT_USE if scan in contact_scans else SPECTRUM_USE,
+            "tip_radius": tip_radius if scan.is_tip_given else "",
+        }
+        for surface, surface_scans in scans_by_surface(scans).items()
+        for number, scan in enumerate(
+            sorted(surface_scans, key=lambda scan: scan not in contact_scans), 1
+        )
+    ]
 
 
 def values_by_key(choices: Sequence[Choice]) -> dict[str, Any]:

@@ -89,15 +89,16 @@ def parse_quantities(arguments: Namespace) -> tuple[dict[str, QuantityOption], l
     faults: list[str] = []
     with collect_faults(faults, "--unit: "):
         UNIT.check(arguments.unit)
-    for name, kind in types.items():
+    for name, quantity in types.items():
         text = getattr(arguments, name, None)
         if text is not None:
             with collect_faults(faults, f"--{name}: "):
-                quantities[name] = QuantityOption(text.strip(), kind.number(text), kind.unit, True)
+                number = quantity.number(text)
+                quantities[name] = QuantityOption(text.strip(), number, quantity.unit, True)
         if name in CONTACT_QUANTITIES and name not in quantities:
             paper_text = key_field(CONTACT_QUANTITIES[name][0]).default
-            number = kind.number(paper_text)
-            quantities[name] = QuantityOption(paper_text, number, kind.unit, False)
+            number = quantity.number(paper_text)
+            quantities[name] = QuantityOption(paper_text, number, quantity.unit, False)
     return quantities, faults
 
 

@@ -62,7 +62,7 @@ def unit_question(quantity: str, number: float) -> str:
 
     The question suggests the number with another prefix of the unit, if that number is usual.
     """
-    *bounds, kind = USUAL_BOUNDS[quantity]
+    *bounds, examples = USUAL_BOUNDS[quantity]
     unit = quantity_type(CONTACT_QUANTITIES[quantity][0]).unit
     low, high = (parse_quantity(bound, unit) for bound in bounds)
     if low <= number <= high:
@@ -70,7 +70,7 @@ def unit_question(quantity: str, number: float) -> str:
     prefixed = [number * factor for factor in (1e-3, 1e3, 1e-6, 1e6)]
     meant = [format_exact(candidate, unit) for candidate in prefixed if low <= candidate <= high]
     suggestion = f" (did you mean {meant[0]}?)" if meant else ""
-    return f"is the unit right? {' to '.join(bounds)} are usual for {kind}{suggestion}"
+    return f"is the unit right? {' to '.join(bounds)} are usual for {examples}{suggestion}"
 
 
 def check_read_arguments(
@@ -119,14 +119,15 @@ def check_quantities(**numbers: Any) -> None:
     check_positive(**numbers)
     options = {name: "range" if name == "rho" else name for name in numbers}
     types = {name: quantity_type(CONTACT_QUANTITIES[options[name]][0]) for name in numbers}
+    written = {name: f"{numbers[name]:g} {quantity.unit}" for name, quantity in types.items()}
     raise_faults(
-        f"{name}: expected {kind.expects}, found {numbers[name]:g} {kind.unit}: is the unit right?"
-        for name, kind in types.items()
-        if not kind.low <= numbers[name] <= kind.high
+        f"{name}: expected {quantity.expects}, found {written[name]}: is the unit right?"
+        for name, quantity in types.items()
+        if not quantity.low <= numbers[name] <= quantity.high
     )
-    for name, kind in types.items():
-        if question := unit_question(options[name], numbers[name]):
-            warnings.warn(f"{name} {numbers[name]:g} {kind.unit}: {question}", stacklevel=3)
+    for name, option in options.items():
+        if question := unit_question(option, numbers[name]):
+            warnings.warn(f"{name} {written[name]}: {question}", stacklevel=3)
 
 
 def check_contact(surface: HeightMap, contact: Contact, ranges: Sequence[float]) -> None:

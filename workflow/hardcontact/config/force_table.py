@@ -37,7 +37,7 @@ def read_forces(
 
     The columns are surface, mean and median in N, count of forces, and site, blank if not given. A
     single force is its own mean and median. A force over the radius of the probe is multiplied by
-    the `radius` (nm). Messages name `named_by`.
+    the `radius` (nm). `named_by` is the key or the option with the path, for messages.
     """
     table = user_table(path, f"a table of forces ({named_by})", decode=_decode_forces)
     header, units = _split_units(table.header)

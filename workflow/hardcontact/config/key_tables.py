@@ -85,16 +85,16 @@ def commented_yaml(
 
 def _values(field: FieldInfo) -> str:
     """Return the accepted values of a field in words, with their unit."""
-    for annotation in field.metadata:
-        if isinstance(annotation, Quantity | Matching):
-            return annotation.expects
-    kind: Any = field.annotation
-    if get_origin(kind) is Literal:
-        return " or ".join(f"`{value}`" for value in get_args(kind) if value)
-    if kind in VALUES_IN_WORDS:
-        return VALUES_IN_WORDS[kind]
-    if get_origin(kind) is list:
-        return f"a list: {_values(FieldInfo.from_annotation(get_args(kind)[0]))}"
+    for item in field.metadata:
+        if isinstance(item, Quantity | Matching):
+            return item.expects
+    annotation: Any = field.annotation
+    if get_origin(annotation) is Literal:
+        return " or ".join(f"`{value}`" for value in get_args(annotation) if value)
+    if annotation in VALUES_IN_WORDS:
+        return VALUES_IN_WORDS[annotation]
+    if get_origin(annotation) is list:
+        return f"a list: {_values(FieldInfo.from_annotation(get_args(annotation)[0]))}"
     names = ("ge", "le", "multiple_of")
     limits = [
         getattr(item, name) for name in names for item in field.metadata if hasattr(item, name)

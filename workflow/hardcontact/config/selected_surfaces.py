@@ -17,8 +17,8 @@ from hardcontact.surfaces.substitute_spectra import read_segments
 #: Stands for the number of a scan of a smooth sphere; scans are numbered from 1.
 NO_SCAN = 0
 
-#: Word in the column `use` for scans with contacts; other scans only enter the spectrum.
-CONTACT_USE = "contact"
+#: Words in the column `use`: contacts are made on a scan, or it only enters the spectrum.
+CONTACT_USE, SPECTRUM_USE = "contact", "spectrum"
 
 #: Ids that surfaces cannot have: they stand for the mean over surfaces and for a smooth sphere.
 RESERVED_IDS = ("mean", SMOOTH_SPHERE)

@@ -11,14 +11,14 @@ from hardcontact.base.units import path_token
 from hardcontact.config.configuration import get_key
 from hardcontact.config.keys import SMOOTH_SPHERE
 from hardcontact.files.paths import SurfaceFiles
-from hardcontact.files.settings import MASTERS_CHUNK, PURPOSES
+from hardcontact.files.settings import MASTERS_PER_JOB, PURPOSES
 from hardcontact.surfaces.features import GAUSSIAN, SIGNS
 from hardcontact.surfaces.synthesis import SIDES
 
-#: Scans of a pool in one job: a trade-off of busy cores against starts, as MASTERS_CHUNK is.
-POOL_CHUNK = 15
-#: Candidates with features in one job, which take longer than scans of a pool.
-FEATURED_CANDIDATES_CHUNK = 10
+#: Scans of a pool in one job: like MASTERS_PER_JOB, a trade-off of busy cores against starts.
+POOL_SCANS_PER_JOB = 15
+#: Candidates with features in one job; one candidate takes longer than one scan of a pool.
+CANDIDATES_PER_JOB = 10
 
 
 class Chunk(NamedTuple):
@@ -39,7 +39,7 @@ class CandidateChunk(NamedTuple):
 
 
 class MasterForcesChunk(NamedTuple):
-    """The forces on the masters of some realizations; each field is a part of their path."""
+    """The first and the last master whose forces one job computes; all fields are in the path."""
 
     purpose: str
     settings_digest: str
@@ -71,7 +71,7 @@ class Chunks:
     @property
     def pools(self) -> list[Chunk]:
         """The scans of all pools, for the sets: outputs of rule compute_pool."""
-        spans = _spans(self._study["sets"]["pool_size"], POOL_CHUNK)
+        spans = _spans(self._study["sets"]["pool_size"], POOL_SCANS_PER_JOB)
         return [
             Chunk(surface, *span)
             for surface in self._selection.sampled_substrates
@@ -91,17 +91,17 @@ class Chunks:
             return []
         set_candidates = ceil(self._study["sets"]["count"] / len(SIGNS))
         counts = dict.fromkeys(SIGNS, set_candidates)
-        counts[GAUSSIAN] = min(set_candidates, FEATURED_CANDIDATES_CHUNK)
+        counts[GAUSSIAN] = min(set_candidates, CANDIDATES_PER_JOB)
         return [
             CandidateChunk(surface, kind, *span)
             for kind, count in counts.items()
-            for span in _spans(count, FEATURED_CANDIDATES_CHUNK)
+            for span in _spans(count, CANDIDATES_PER_JOB)
         ]
 
     @property
     def whole_surfaces(self) -> list[Chunk]:
         """The whole surfaces of all substitutes: outputs of rule compute_whole_surface_forces."""
-        spans = _spans(self._study["band"]["whole_surfaces"], MASTERS_CHUNK)
+        spans = _spans(self._study["band"]["whole_surfaces"], MASTERS_PER_JOB)
         substitutes = self._selection.substitute_substrates
         return [Chunk(surface, *span) for surface in substitutes for span in spans]
 
@@ -110,7 +110,7 @@ class Chunks:
     def master_forces(self, purpose: str) -> list[MasterForcesChunk]:
         """Return the forces on the masters of a purpose: outputs of compute_filtered_forces."""
         count = get_key(self._study, PURPOSES[purpose].masters_key)
-        spans = _spans(count, PURPOSES[purpose].masters_in_job)
+        spans = _spans(count, PURPOSES[purpose].masters_per_job)
         sweep = self._files.patterns.settings[purpose]
         loadings = [replace(self._plan.contact, **loading) for loading in sweep["loadings"]]
         return [
@@ -150,25 +150,25 @@ class Chunks:
     def master_inputs(
         self, purpose: str, surface: str, first: int, last: int
     ) -> dict[str, list[str]]:
-        """Return the inputs of rule compute_filtered_forces, one file for each realization.
+        """Return the inputs of rule compute_filtered_forces, one file for each master.
 
         Masters without files are made by the job, from scans and spectra.
         """
         files = self._files
-        realizations = range(first, last + 1)
+        numbers = range(first, last + 1)
         if PURPOSES[purpose].masters_are_files:
             return {
                 f"{side}_masters": [
                     files.path(files.patterns.masters, surface, realization=number, side=side)
-                    for number in realizations
+                    for number in numbers
                 ]
                 for side in SIDES
             }
         if PURPOSES[purpose].samples_spectra:
             find_scan = self._selection.shared_master_scan
-            spectra = [files.sampled_spectrum_path(surface, number) for number in realizations]
+            spectra = [files.sampled_spectrum_path(surface, number) for number in numbers]
         else:
             find_scan = self._selection.separate_master_scan
-            spectra = [files.spectrum_path(surface)] * len(realizations)
-        scans = [files.contact_map_path(surface, find_scan(surface, k)) for k in realizations]
+            spectra = [files.spectrum_path(surface)] * len(numbers)
+        scans = [files.contact_map_path(surface, find_scan(surface, number)) for number in numbers]
         return {"scans": scans, "spectra": spectra}

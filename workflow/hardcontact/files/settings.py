@@ -27,10 +27,10 @@ from hardcontact.surfaces.synthesis import SIDES
 
 #: Masters, or whole surfaces, in one job: few enough to keep all cores busy, but so many that a job
 #: takes much longer than its start, half a second.
-MASTERS_CHUNK = 5
+MASTERS_PER_JOB = 5
 
 
-class Kind(NamedTuple):
+class StoreKind(NamedTuple):
     """A kind of intermediate: its settings, and the names of the kinds that it is made from."""
 
     settings: dict[str, Any]
@@ -43,7 +43,7 @@ class Purpose(NamedTuple):
     section: str  #: Section of the pixels and cutoffs of masters.
     contacts_key: str  #: Key of the number of contacts per row.
     masters_key: str  #: Key of the number of masters of a surface.
-    masters_in_job: int = MASTERS_CHUNK
+    masters_per_job: int = MASTERS_PER_JOB
     masters_are_files: bool = False  #: Whether masters are files of the store.
     samples_spectra: bool = False  #: Whether each master has a sampled spectrum.
     rough_sphere: bool = True  #: Whether a study with a rough sphere uses it here.
@@ -59,12 +59,12 @@ class Purpose(NamedTuple):
 PURPOSES = {
     # The band of the study.
     "band": Purpose(
-        "band", "contact.contacts_per_row", "band.masters", masters_in_job=1,
+        "band", "contact.contacts_per_row", "band.masters", masters_per_job=1,
         masters_are_files=True, stream="master",
     ),
     # The same with sampled spectra, of measured surfaces only, and with the same random numbers.
     "sampled": Purpose(
-        "band", "contact.contacts_per_row", "band.masters", masters_in_job=1,
+        "band", "contact.contacts_per_row", "band.masters", masters_per_job=1,
         samples_spectra=True, stream="master",
     ),
     # The edges of each set of substitutes.
@@ -83,10 +83,10 @@ PURPOSES = {
 }  # fmt: skip
 
 
-def store_kinds(plan: StudyPlan) -> dict[str, Kind]:
+def store_kinds(plan: StudyPlan) -> dict[str, StoreKind]:
     """Return the kinds of intermediates by name."""
     master_forces = {
-        name: Kind(
+        name: StoreKind(
             _master_force_settings(plan.study, purpose),
             ["masters" if purpose.masters_are_files else "both_bodies"],
         )
@@ -96,7 +96,7 @@ def store_kinds(plan: StudyPlan) -> dict[str, Kind]:
     return _surface_kinds(plan) | contacts | master_forces
 
 
-def _surface_kinds(plan: StudyPlan) -> dict[str, Kind]:
+def _surface_kinds(plan: StudyPlan) -> dict[str, StoreKind]:
     """Return the kinds of measurements, spectra, scans and masters."""
     study = plan.study
     seed = {"seed": study["seed"]}
@@ -107,26 +107,26 @@ def _surface_kinds(plan: StudyPlan) -> dict[str, Kind]:
     sides = {side: {key: band[side][key] for key in keys} for side, keys in side_keys.items()}
     return {
         # Measured scans, as their files have them.
-        "measurements": Kind(reading_keys(study)),
+        "measurements": StoreKind(reading_keys(study)),
         # The spectrum of a surface, from all its measurements.
-        "measured_spectra": Kind(levelling, ["measurements"]),
+        "measured_spectra": StoreKind(levelling, ["measurements"]),
         # Such spectra, sampled within the uncertainty of the measurements.
-        "sampled_spectra": Kind({**seed, **levelling}, ["measurements"]),
+        "sampled_spectra": StoreKind({**seed, **levelling}, ["measurements"]),
         # Levelled scans, mirrored scans, and the conditioning of substitutes on Table 1.
-        "measured_scans": Kind(levelling, ["measurements"]),
-        "substitute_scans": Kind(_featured_surface(study)),
-        "scans": Kind({}, ["measured_scans", "substitute_scans"]),
+        "measured_scans": StoreKind(levelling, ["measurements"]),
+        "substitute_scans": StoreKind(_featured_surface(study)),
+        "scans": StoreKind({}, ["measured_scans", "substitute_scans"]),
         # Scans and spectra with the roughness of both bodies; as they were if none is added.
-        "both_bodies": Kind(
+        "both_bodies": StoreKind(
             {**seed, "sphere": sphere} if plan.combined_surfaces else {},
             ["scans", "measured_spectra", "sampled_spectra"],
         ),
         # Scans with artificial roughness.
-        "masters": Kind({**seed, "sides": sides}, ["both_bodies"]),
+        "masters": StoreKind({**seed, "sides": sides}, ["both_bodies"]),
     }
 
 
-def _scan_contact_kinds(plan: StudyPlan) -> dict[str, Kind]:
+def _scan_contact_kinds(plan: StudyPlan) -> dict[str, StoreKind]:
     """Return the kinds of contacts on scans."""
     study = plan.study
     seed = {"seed": study["seed"]}
@@ -143,18 +143,18 @@ def _scan_contact_kinds(plan: StudyPlan) -> dict[str, Kind]:
     hindcast = {**seed, "contact": contact_at_range, "transitions": transitions}
     return {
         # Forces on a scan, with all scans of the sphere.
-        "pull_off": Kind(pull_off, ["scans"]),
+        "pull_off": StoreKind(pull_off, ["scans"]),
         # Elastic contacts of a surface, and the asperities that carry the forces on it.
-        "elastic": Kind({**seed, "contact": contact, **study["elastic"]}, ["scans"]),
-        "asperities": Kind(asperities, ["scans"]),
+        "elastic": StoreKind({**seed, "contact": contact, **study["elastic"]}, ["scans"]),
+        "asperities": StoreKind(asperities, ["scans"]),
         # Forces on a scan with each octave changed.
-        "octave_forces": Kind({"contact": contact_at_range}, ["both_bodies"]),
+        "octave_forces": StoreKind({"contact": contact_at_range}, ["both_bodies"]),
         # Forces on a scan with random roughness in place of its outermost octaves.
-        "hindcast": Kind(hindcast, ["both_bodies"]),
+        "hindcast": StoreKind(hindcast, ["both_bodies"]),
     }
 
 
-def _random_surface_kinds(study: Mapping[str, Any]) -> dict[str, Kind]:
+def _random_surface_kinds(study: Mapping[str, Any]) -> dict[str, StoreKind]:
     """Return the kinds of contacts on random surfaces, whole ones and scans of the sets."""
     ranges = _all_ranges(study)
     # The posterior needs all ranges that whole surfaces permit, and only the paper's study has it.
@@ -173,12 +173,12 @@ def _random_surface_kinds(study: Mapping[str, Any]) -> dict[str, Kind]:
     set_scan = {**_random_surface(study), "contact": set_contact, "ranges": ranges}
     return {
         # Forces on whole substitute surfaces, also with each octave changed.
-        "whole_surfaces": Kind({**whole_surface, "ranges": whole_ranges}),
+        "whole_surfaces": StoreKind({**whole_surface, "ranges": whole_ranges}),
         # Forces on the band alone: a result, which is not in the store.
-        "band_forces": Kind(whole_surface),
+        "band_forces": StoreKind(whole_surface),
         # Forces on scans for the sets, without and with features.
-        "pool": Kind({**set_scan, "rms_height_count": study["sets"]["rms_height_count"]}),
-        "featured_candidates": Kind(set_scan),
+        "pool": StoreKind({**set_scan, "rms_height_count": study["sets"]["rms_height_count"]}),
+        "featured_candidates": StoreKind(set_scan),
     }
 
 
@@ -199,7 +199,7 @@ def _featured_surface(study: Mapping[str, Any]) -> dict[str, Any]:
     return _random_surface(study) | {"featured_surface": study["substitutes"]["featured_surface"]}
 
 
-def settings_digest(kinds: Mapping[str, Kind], name: str) -> str:
+def settings_digest(kinds: Mapping[str, StoreKind], name: str) -> str:
     """Return the digest of the settings of a kind and of all kinds that it is made from."""
     kind = kinds[name]
     sources = [settings_digest(kinds, source) for source in kind.made_from]

@@ -44,8 +44,8 @@ RELIEF_OVER_RMS = 4.5
 
 def check_study(study: dict[str, Any], table: pd.DataFrame) -> None:
     """Refuse a study that would fail in a job; scans with contacts are read last."""
-    find_kind_faults = _paper_faults if is_paper_study(study) else _own_surface_faults
-    faults = _substitute_faults(study, table) + find_kind_faults(study, table)
+    find_faults = _paper_faults if is_paper_study(study) else _own_surface_faults
+    faults = _substitute_faults(study, table) + find_faults(study, table)
     raise_faults(faults)
     extents: dict[str, Extent] = {}
     for name, rows in table[table.use == CONTACT_USE].groupby("surface", sort=False):
@@ -93,12 +93,17 @@ def _paper_faults(study: dict[str, Any], table: pd.DataFrame) -> list[str]:
     contacts = table[table.use == CONTACT_USE]
     surfaces = list(contacts.surface.unique())
     substrates = [surface for surface in surfaces if surface != study["sphere"]["surface"]]
-    return [
+    faults = [
         *_surface_key_faults(study, surfaces, substrates),
         *_substrate_faults(substrates),
         *_pool_size_faults(study, contacts[contacts.surface.isin(substrates)]),
-        *_claim_faults(),
     ]
+    # Imported here, as the claims would cost studies of the user's surfaces almost a second.
+    from hardcontact.paper.claims.statements import check_claims
+
+    with collect_faults(faults):
+        check_claims(published.CLAIMS)
+    return faults
 
 
 def _surface_key_faults(
@@ -136,17 +141,6 @@ def _pool_size_faults(study: dict[str, Any], contacts: pd.DataFrame) -> Iterator
     if len(scan_counts) and scan_counts.max() > pool_size:
         accepted = f"at least the {scan_counts.max()} scans of {scan_counts.idxmax()}"
         yield key_fault("sets.pool_size", accepted, pool_size)
-
-
-def _claim_faults() -> list[str]:
-    """Return the faults of the claims."""
-    # Imported here, as the claims would cost studies of the user's surfaces almost a second.
-    from hardcontact.paper.claims.statements import check_claims
-
-    faults: list[str] = []
-    with collect_faults(faults):
-        check_claims(published.CLAIMS)
-    return faults
 
 
 def _own_surface_faults(study: dict[str, Any], table: pd.DataFrame) -> list[str]:
