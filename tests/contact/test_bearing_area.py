@@ -37,18 +37,18 @@ def test_contact_pixels_are_the_load_over_hardness_and_pixel_area():
 
 
 @pytest.mark.parametrize("pixels", [3, 4, 9])
-def test_part_around_the_lowest_point_ends_at_the_edges(pixels):
+def test_the_square_around_the_lowest_point_ends_at_the_edges(pixels):
     size, half_pixels = 9, pixels // 2
     for y, x in np.ndindex(size, size):
         gap = np.arange(1.0, size**2 + 1).reshape(size, size)
         gap[y, x] = 0.0
-        gap_part = square_around_lowest(gap, pixels)
-        assert gap_part.shape == (pixels, pixels)
-        lowest_indices = np.unravel_index(gap_part.argmin(), gap_part.shape)
+        square = square_around_lowest(gap, pixels)
+        assert square.shape == (pixels, pixels)
+        lowest_indices = np.unravel_index(square.argmin(), square.shape)
         for index, lowest_index in zip((y, x), lowest_indices, strict=True):
             remaining_pixels = size - index
             assert lowest_index == max(min(half_pixels, index), pixels - remaining_pixels)
         rows = gap[y - lowest_indices[0] : y - lowest_indices[0] + pixels]
         np.testing.assert_array_equal(
-            gap_part, rows[:, x - lowest_indices[1] : x - lowest_indices[1] + pixels]
+            square, rows[:, x - lowest_indices[1] : x - lowest_indices[1] + pixels]
         )

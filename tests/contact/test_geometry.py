@@ -38,8 +38,7 @@ def test_the_coarser_map_is_interpolated():
 
 def test_more_sampled_contacts_include_the_fewer_and_never_repeat():
     five, twenty, all_contacts, no_more = (
-        geometry.sample_contacts(np.random.default_rng(3), 6, contacts)
-        for contacts in (5, 20, 36, 37)
+        geometry.sample_contacts(np.random.default_rng(3), 6, count) for count in (5, 20, 36, 37)
     )
     np.testing.assert_array_equal(no_more, all_contacts)
     np.testing.assert_array_equal(five, all_contacts[:5])
@@ -49,10 +48,10 @@ def test_more_sampled_contacts_include_the_fewer_and_never_repeat():
     assert (other_draw != all_contacts).any()
 
 
-@pytest.mark.parametrize("kind", [np.float32, ">f4", ">f8", np.float16, np.int64])
-def test_heights_of_any_kind_have_their_force(kind):
-    """Programs and classic netCDF files bring heights in other kinds and orders of bytes."""
-    whole_numbers = np.round(periodic_noise(96, 20.0, 5))  # Every kind holds them.
+@pytest.mark.parametrize("dtype", [np.float32, ">f4", ">f8", np.float16, np.int64])
+def test_heights_of_any_dtype_have_their_force(dtype):
+    """Programs and classic netCDF files bring heights in other types and orders of bytes."""
+    whole_numbers = np.round(periodic_noise(96, 20.0, 5))  # Every type holds them.
     contact = Contact(radius=250e3, preload=1e-6, hardness=25e9, window=4800.0, contacts_per_row=3)
 
     def forces(values):
@@ -60,4 +59,6 @@ def test_heights_of_any_kind_have_their_force(kind):
         all_bodies = [geometry.join_bodies(surface, sphere, contact) for sphere in (surface, None)]
         return [forces_at_loadings(bodies, [contact], [5.6]) for bodies in all_bodies]
 
-    np.testing.assert_allclose(forces(whole_numbers.astype(kind)), forces(whole_numbers), rtol=1e-6)
+    np.testing.assert_allclose(
+        forces(whole_numbers.astype(dtype)), forces(whole_numbers), rtol=1e-6
+    )

@@ -12,16 +12,16 @@ LAMBDAS = np.geomspace(0.01, 100, 41)
 
 def test_ruby_on_diamond_has_the_published_numbers():
     assert MODULUS == pytest.approx(289.7e9, rel=2e-4)
-    contact, pressure, approach = hertz_jkr_dmt.hertz_contact(10e-6, RADIUS, MODULUS)
+    contact_radius, pressure, approach = hertz_jkr_dmt.hertz_contact(10e-6, RADIUS, MODULUS)
     assert pressure == pytest.approx(137e6, rel=5e-3)  # 135 MPa are published
-    assert approach == pytest.approx(contact**2 / RADIUS)
+    assert approach == pytest.approx(contact_radius**2 / RADIUS)
     tabor = hertz_jkr_dmt.tabor_parameter(WORK, RADIUS, MODULUS, SPACING)
     assert tabor == pytest.approx(0.618, abs=5e-4)
     assert hertz_jkr_dmt.maugis_parameter(tabor) == pytest.approx(0.7155, abs=5e-4)
     assert hertz_jkr_dmt.maugis_parameter(1.0) == pytest.approx(1.157, abs=1e-4)
 
 
-def test_transition_leads_from_dmt_to_jkr():
+def test_the_pull_off_coefficient_leads_from_dmt_to_jkr():
     coefficient = hertz_jkr_dmt.pull_off_coefficient(LAMBDAS)
     assert (np.diff(coefficient) < 0).all()
     assert coefficient[0] == pytest.approx(2, abs=5e-3)
@@ -31,7 +31,7 @@ def test_transition_leads_from_dmt_to_jkr():
 
 
 @pytest.mark.parametrize("maugis", [0.03, 0.3, 0.937, 5.0])
-def test_the_pull_off_coefficient_matches_maugis_exact_pair(maugis):
+def test_the_pull_off_coefficient_matches_the_exact_solution_of_maugis(maugis):
     """The first equation gives m for a radius, the second the force; the fit keeps to 1.7 %."""
 
     def root_and_angle(m):

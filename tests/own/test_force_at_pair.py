@@ -10,9 +10,11 @@ from scipy import stats
 from hardcontact.base.arrays import generator
 from hardcontact.base.statistics import student_interval
 from hardcontact.contact.contact import Contact
+from hardcontact.contact.numerical_limits import FINITE_SCAN_RATIOS
 from hardcontact.inference.mean_forces import MasterScans
 from hardcontact.own.force_at_pair import (
     add_extrapolated_force,
+    add_sizes,
     bound_by_smooth_sphere,
     contacts_needed,
     extend_by_pixel_factors,
@@ -206,3 +208,23 @@ def test_intervals_include_the_effect_of_finer_pixels():
     np.testing.assert_allclose(change.isel(surface=0, end=0), 1 / 1.5)
     np.testing.assert_allclose(change.isel(surface=0, end=1), 1)
     np.testing.assert_allclose(change.isel(surface=1), 1)
+
+
+def test_the_share_of_a_window_matches_the_sum_over_its_pixels():
+    rhos, window = np.array([2.0, 20.0, 200.0]), 5e3
+    contact = Contact(radius=250e3, preload=10e-6, hardness=25e9, window=window)
+    sizes = {"scan_size": ("surface", [1000.0]), "pixel_size": ("surface", [10.0])}
+    sized_forces = add_sizes(
+        xr.Dataset({"search_size": ("surface", [3000.0])}, {"rho": rhos, "surface": ["a"]}),
+        xr.Dataset(sizes, {"surface": ["a"]}),
+        contact,
+    )
+    np.testing.assert_array_equal(sized_forces.finite_scan_ratio, [dict(FINITE_SCAN_RATIOS)[0.5]])
+    assert sized_forces.pixel_area.item() == 100.0
+    assert sized_forces.attrs["contact_area"] == contact.area
+    squared_positions = (np.arange(-40e3, 40e3, 20) + 10) ** 2
+    is_inside = np.abs(squared_positions) < (window / 2) ** 2
+    for rho, share in zip(rhos, sized_forces.window_share.values, strict=True):
+        weight = np.exp(-squared_positions / (2 * contact.radius * rho))
+        assert share == pytest.approx((weight[is_inside].sum() / weight.sum()) ** 2, rel=1e-3)
+    assert sized_forces.window_share[0] > 0.99 > 0.2 > sized_forces.window_share[-1]

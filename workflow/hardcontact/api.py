@@ -270,8 +270,7 @@ def pull_off_forces(
     --------
     >>> scan = hc.read_scan("scan.nc")
     >>> forces = hc.pull_off_forces(
-    ...     scan, radius=50e3, preload=10e-6, hardness=25e9, rho=5.6, work=0.05,
-    ...     window=2500, contacts_per_row=8,
+    ...     scan, radius=250e3, preload=10e-6, hardness=25e9, rho=5.6, work=0.0463
     ... )
     >>> mean = forces.pull_off_force.sel(contact_model="plastic").mean()  # N
     """
@@ -282,10 +281,10 @@ def pull_off_forces(
     check_positive_numbers("rho", ranges)
     surface, rough_sphere = _periodic_maps(scan, sphere, contact, ranges)
     bodies = join_bodies(surface, rough_sphere, contact)
-    longest = replace(contact, rho=max(ranges))
+    longest_range_contact = replace(contact, rho=max(ranges))
     forces = pull_off_dataset(bodies, contact, ranges)
-    plastic_forces = forces.pull_off_force.sel(contact_model=[PLASTIC], rho=longest.rho)
-    window_change = wider_window_change([bodies], longest, plastic_forces)
+    plastic_forces = forces.pull_off_force.sel(contact_model=[PLASTIC], rho=max(ranges))
+    window_change = wider_window_change([bodies], longest_range_contact, plastic_forces)
     force = forces.pull_off_force * (work / WORK_OF_ADHESION)
     force.attrs = NEWTON | {"long_name": "pull-off force"}
     variables = {"pull_off_force": force, "wider_window_change": ((), window_change, DIMENSIONLESS)}
@@ -353,8 +352,7 @@ def force_ratios(
     --------
     >>> scan = hc.read_scan("scan.nc")
     >>> ratios = hc.force_ratios(
-    ...     scan, {"short": [40, 80, 160]}, radius=50e3, preload=10e-6, hardness=25e9, rho=5.6,
-    ...     window=2500, contacts_per_row=8,
+    ...     scan, {"short": [40, 80, 160]}, radius=250e3, preload=10e-6, hardness=25e9, rho=5.6
     ... )
     >>> short_edge = float(ratios.edge.sel(side="short"))  # nm
     """
