@@ -59,7 +59,7 @@ def test_pull_off_is_that_of_a_minimizer_outside_a_wall(rms):
 
 
 def test_a_load_that_flattens_everything_is_refused():
-    with pytest.raises(ValueError, match="found more than 4000 touching pixels"):
+    with pytest.raises(ValueError, match="found over 4000 touching pixels"):
         pressure_at_load(sphere_gap(72, 1.0, 1e9), 1.0, MODULUS, LOAD)
 
 

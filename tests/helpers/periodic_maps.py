@@ -20,7 +20,7 @@ CONTACT = Contact(
 )
 LOADED_CONTACTS = [CONTACT, replace(CONTACT, preload=40e-6)]
 #: Pixels, pixel size (nm), rms height (nm), pixels of the sphere's roughness and pixels of the
-#: window; tiles of the map fit the window or not.
+#: window; cells of the map fit the window or not.
 MAP_CASES = [
     (128, 40.0, 20.0, 128, 320),
     (100, 50.0, 3.0, 100, 250),

@@ -3,8 +3,8 @@
 The subpackages are layers. Each imports only from itself and from earlier ones in this order:
 `base`, `records`, `surfaces`, `scans`, `contact`, `inference`, `theory`, `config`, `paper`,
 `own`, `files`, `run`, `report`, `commands`. workflow/README.md says what each layer holds. Programs
-import the functions of the module `api` from this package. A function is loaded when it is first
-used, because no job of the study depends on it.
+import the functions of the module `api` from this package. Functions load when they are first used,
+so that no job of the study depends on them.
 """
 
 import importlib

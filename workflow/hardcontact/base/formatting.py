@@ -9,7 +9,7 @@ PRINTED_UNITS = {
     "N": {"N": 1.0, "mN": 1e-3, "µN": 1e-6, "nN": 1e-9, "pN": 1e-12},
     "J m-2": {"J/m²": 1.0, "mJ/m²": 1e-3},
 }
-#: The same for numbers that are compared with the paper: the units that it prints.
+#: For numbers beside those of the paper: the units that the paper prints.
 UNITS_OF_PAPER = {
     "nm": {"µm": 1e3, "nm": 1.0},
     "nm2": {"nm²": 1.0},
@@ -19,7 +19,6 @@ UNITS_OF_PAPER = {
     "Pa": {"GPa": 1e9, "MPa": 1e6},
     "1": {"": 1.0},
 }
-
 #: Largest ratio of the ends of a printed interval: a wider one only says that scans are too few.
 MAX_END_RATIO = 100
 #: Relative and absolute difference up to which a number lies on a limit.
@@ -27,7 +26,7 @@ LIMIT_TOLERANCE = 1e-5
 
 
 def format_number(value: float, digits: int = 3) -> str:
-    """Return a number with this many significant digits, and no exponent near one."""
+    """Return a number with significant digits; with an exponent below 0.0001 and from 1e6 on."""
     return f"{float(f'{value:.{digits}g}'):g}"
 
 
@@ -40,9 +39,9 @@ def round_to_three_digits(value: float, rounding: Callable[[float], int]) -> flo
 def format_value_and_ends(value: float, low: float, high: float, *limits: float) -> list[str]:
     """Return a number and both ends of its interval, rounded alike.
 
-    The last digit is about a fifth of the interval's width or of the smallest number. A wide
-    interval, with a ratio of its ends above three, has numbers of two digits instead. An end gets
-    more digits if rounding would move it to or across a limit.
+    The last digit is about a fifth of the interval's width or of the smallest number. If the ends
+    differ by more than a factor of three, each number has two digits instead. An end gets more
+    digits if rounding would move it to or across a limit.
     """
     numbers = (value, low, high)
     if not all(map(math.isfinite, numbers)):
@@ -82,7 +81,8 @@ def _format_in_best_unit(
 ) -> str:
     """Return a number in the unit that fits best, with its interval if both ends are known.
 
-    `digits` counts if there is no interval; the `open_end`, "low" or "high", is only a bound.
+    `digits` count if there is no interval. At an `open_end`, "low" or "high", only the other end is
+    printed, as a bound.
     """
     # 999.9 nm is printed as 1 µm, not as 1000 nm: half of the last digit is enough.
     threshold = 1 - 0.5 * 10**-digits
@@ -107,8 +107,8 @@ def format_quantity(
 ) -> str:
     """Return a number with its unit and its interval: "1.7 µm" or "0.64 [0.5, 0.8] µN".
 
-    Number and interval are in `unit`, a key of PRINTED_UNITS. Unknown ends are NaN; they are zero
-    and infinity if nothing is excluded. With the `open_end` "high": "0.64 µN (at least 0.5 µN)".
+    Number and interval are in `unit`, a key of PRINTED_UNITS. Unknown ends are NaN. The ends 0 and
+    infinity exclude nothing. With the `open_end` "high": "0.64 µN (at least 0.5 µN)".
     """
     is_finite = math.isfinite(sum(interval))
     unbounded = is_finite and is_unbounded(value, *interval, unit)
@@ -146,8 +146,8 @@ def format_as_paper(
 def is_unbounded(value: float, low: float, high: float, unit: str) -> bool:
     """Return whether the ends of an interval differ by more than `MAX_END_RATIO`; False for NaN.
 
-    If the interval contains zero, its farther end is compared with the value; without a unit, as
-    for an exponent, with one if the value is smaller.
+    If the interval contains zero, its farther end is compared with the value. A number without a
+    unit, such as an exponent, counts as at least one.
     """
     near, far = sorted((abs(low), abs(high)))
     if low <= 0 <= high:

@@ -33,9 +33,9 @@ class NumberStatus(StrEnum):
 #: - from_measured: computed from measured forces;
 #: - extrapolated: with roughness beyond the reliable wavelengths;
 #: - artificial: an edge of the paper's study at wavelengths of artificial roughness;
-#: - unreliable: an edge at wavelengths at which no scan is reliable, or these decide over 90 %;
-#: - partly_unreliable: such wavelengths decide 10 to 90 %;
-#: - interval_unreliable: only the interval reaches such wavelengths;
+#: - unreliable: an edge where no scan is reliable, or over 90 % of whose change comes from there;
+#: - partly_unreliable: an edge, 10 to 90 % of whose change comes from unreliable wavelengths;
+#: - interval_unreliable: an edge of which only the interval reaches unreliable wavelengths;
 #: - published: in the paper;
 #: - given: a key of the configuration;
 #: - assumed: a key with the paper's value, because the user gave none;

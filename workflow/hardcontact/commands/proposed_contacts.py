@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from hardcontact.commands.inventory import UserScan
 from hardcontact.config.limits import MAX_CONTACT_PIXELS
-from hardcontact.contact.bearing_area import TILE
+from hardcontact.contact.bearing_area import CELL_PIXELS
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import window_pixels
 from hardcontact.contact.numerical_limits import (
@@ -33,8 +33,8 @@ CONTACTS_PER_ROW_CHOICES = (20, 16, 12, 10, 8, 6, 4)
 MAX_CONTACT_SECONDS = 2.0
 #: Measured seconds for a contact pixel in one period of the map.
 SECONDS_A_PIXEL = 4e-7
-#: Measured seconds for a tile of the map in the window.
-SECONDS_A_TILE = 1e-8
+#: Measured seconds for a cell of the map in the window.
+SECONDS_A_CELL = 1e-8
 
 
 class PermittedContact(NamedTuple):
@@ -131,9 +131,9 @@ def short_edge_pixels(scan: UserScan, contact: Contact, max_pixels: int) -> int:
 def _contact_seconds(scan: UserScan, contact: Contact, pixel_size: float) -> float:
     """Estimate the seconds for one contact and its periods on pixels of a width (nm)."""
     periods = periods_in_window(contact.window, scan.size)
-    tile_count = (window_pixels(contact.window, pixel_size) / TILE) ** 2
+    cell_count = (window_pixels(contact.window, pixel_size) / CELL_PIXELS) ** 2
     pixel_count = contact.pixel_count(pixel_size) * periods
-    return pixel_count * SECONDS_A_PIXEL + tile_count * SECONDS_A_TILE
+    return pixel_count * SECONDS_A_PIXEL + cell_count * SECONDS_A_CELL
 
 
 def affordable_contacts(

@@ -1,8 +1,8 @@
 """Elastic contact without plasticity: a rough body is pressed into a half space, or pulled off it.
 
 Some hundred pixels touch, so that their forces follow from one dense matrix. Attraction acts on all
-pixels. The half space is flat and periodic and has the effective modulus of both bodies. Inside,
-lengths are in nm, forces in nN, pressures in GPa, and energies per area in J/m².
+pixels. The half space is flat and periodic and has the effective modulus of both bodies. Equations
+are in nm, nN, GPa and J/m²; `pressure_at_load` and `adhesive_pull_off` take and return N and Pa.
 """
 
 from typing import NamedTuple
@@ -22,8 +22,9 @@ MAX_OVERLAP = 1e-6
 FIRST_TOUCHING_PIXELS = 32
 #: Most pixels that may touch: their dense matrix then takes 128 MB.
 MAX_TOUCHING_PIXELS = 4000
-EXPECTED = "expected an elastic contact in equilibrium"
-#: Steps of the active set, which needs about ten.
+#: Begins the message of every contact that is not solved.
+EXPECTED_EQUILIBRIUM = "expected an elastic contact in equilibrium"
+#: Steps of an iteration; the active set needs about ten.
 MAX_ITERATIONS = 200
 #: Change of the attraction at which it counts as converged, relative to the total attraction.
 RELATIVE_RESIDUAL = 1e-9
@@ -74,7 +75,7 @@ def contact_forces(influence: Floats, gaps: Floats, load: float) -> tuple[Floats
         if np.array_equal(now_touching, touching):
             return forces, -separation
         touching = now_touching if now_touching.any() else gaps == gaps.min()
-    raise ValueError(f"{EXPECTED}, found none")
+    raise ValueError(f"{EXPECTED_EQUILIBRIUM}, found none")
 
 
 class PressedContact(NamedTuple):
@@ -95,7 +96,9 @@ def press(half_space: HalfSpace, gap: Floats, load: float) -> PressedContact:
     while True:
         pixels = np.argwhere(is_candidate)
         if len(pixels) > MAX_TOUCHING_PIXELS:
-            raise ValueError(f"{EXPECTED}, found more than {MAX_TOUCHING_PIXELS} touching pixels")
+            raise ValueError(
+                f"{EXPECTED_EQUILIBRIUM}, found over {MAX_TOUCHING_PIXELS} touching pixels"
+            )
         forces, approach = contact_forces(half_space.influence(pixels), gap[is_candidate], load)
         all_forces = np.zeros_like(gap)
         all_forces[is_candidate] = forces
@@ -103,7 +106,8 @@ def press(half_space: HalfSpace, gap: Floats, load: float) -> PressedContact:
         overlaps = gap_left < -MAX_OVERLAP
         if not overlaps.any():
             return PressedContact(all_forces, gap_left)
-        # Few pixels under the whole load sink in far, and most others overlap: at most double.
+        # Few pixels under the whole load sink so far that most others overlap, though few of them
+        # touch in the end: so the candidates at most double.
         other_gaps = np.where(is_candidate, np.inf, gap_left)
         added_count = min(int((overlaps & ~is_candidate).sum()), len(pixels))
         is_candidate |= other_gaps <= largest_contact_gap(other_gaps, added_count)
@@ -146,7 +150,7 @@ def adhesive_pull_off(
             attraction = strength * np.exp(-np.maximum(pressed.gap, 0) / rho)
             if np.abs(attraction - former_attraction).sum() < RELATIVE_RESIDUAL * attraction.sum():
                 return float(attraction.sum()) - load, attraction
-        raise ValueError(f"{EXPECTED}, found none")
+        raise ValueError(f"{EXPECTED_EQUILIBRIUM}, found none")
 
     step = LOAD_STEP * rigid
     elastic, unloaded_attraction = pull(0.0, rigid_attraction)

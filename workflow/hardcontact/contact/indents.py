@@ -19,7 +19,6 @@ from hardcontact.surfaces.height_map import HeightMap
 
 #: Pixels on either side of the deepest pixel in the maps of one contact.
 MAP_HALF_WIDTH = 32
-
 #: The units of `IndentSizes`.
 INDENT_UNITS = {"depth": "nm", "equal_area_side": "nm", "longer_side": "nm", "indent_count": "1"}
 
@@ -53,9 +52,9 @@ def indents_of_scans(
 ) -> xr.Dataset:
     """Return the indents that every substrate scan leaves in every sphere scan.
 
-    Ascending preloads (N) replace that of the contact. Returns `IndentSizes` (scan, sphere_scan,
-    preload, contact_y, contact_x) and, for the contact of median depth at the largest preload, the
-    maps ``indentation`` and ``sphere_height`` in nm.
+    Ascending preloads (N) replace the preload of the contact. Returns `IndentSizes` (scan,
+    sphere_scan, preload, contact_y, contact_x) and, for the contact of median depth at the largest
+    preload, the maps ``indentation`` and ``sphere_height`` in nm.
     """
 
     def make_bodies(scan: int, sphere_scan: int) -> Bodies:

@@ -27,18 +27,18 @@ from hardcontact.surfaces.spectrum import Spectrum, spectral_moment
 #: Number of points of a resampled spectrum, and of distances of its autocorrelation.
 WAVE_COUNT = 300
 DISTANCE_COUNT = 120
-#: Levels t of the apex at closest approach, also below the mean plane, where wide contacts go.
+#: Levels t of the apex at closest approach. Wide contacts sink below the mean plane.
 LEVELS = np.linspace(-6, 8, 701)
-#: Number of summits that fill the area in contact above which their total area counts as normal.
+#: If more summits fill the area in contact, their total area counts as normally distributed.
 MAX_POISSON_SUMMITS = 50.0
-#: Smallest probability that has enough digits as one minus its complement.
+#: Below this probability, one minus its complement has too few digits.
 MIN_COMPLEMENT = 1e-3
-#: Logarithm of a probability that does not count beside one, to the last digit.
+#: Logarithm of a probability that is lost when it is added to one: e^-45 is 3e-20.
 LOG_NEGLIGIBLE_PROBABILITY = -45.0
-#: Summits at lower levels have the width of summits at this level, because points so low form no
-#: groups. Chosen: resources/validation/README.md says what other values would change.
+#: Summits at lower levels have the width of summits at this level, because such low points form no
+#: separate groups. Chosen: resources/validation/README.md says what other values would change.
 LOWEST_SUMMIT_LEVEL = 1.2
-#: A sphere follows waves whose total curvature is less than this share of its own. Chosen, too.
+#: A sphere follows the longest waves, up to this ratio of their rms curvature to 1/R. Chosen, too.
 MAX_FOLLOWED_CURVATURE = 0.1
 
 
@@ -99,10 +99,10 @@ def apex_distribution(spectrum: Spectrum, radius: float, area: float) -> ApexDis
     The sphere sinks until the summits above it fill the area, preload over hardness.
     """
     half_widths, counts, bearing_areas = summits_above(spectrum, radius)
-    # No summit rises above the last level; pi delta² stands for the mean area of one there.
+    # No summit rises above the last level, so pi delta² stands for the mean area of a summit there.
     summit_areas = np.append(bearing_areas[:-1] / counts[:-1], np.pi * half_widths[-1] ** 2)
     probability = _probability_of_smaller_area(counts, area / summit_areas)
-    # The lowest level has the probability that no point rises above it.
+    # The lowest level also has the probability of all levels below it.
     weights = np.append(probability[0], np.maximum(np.diff(probability), 0))
     weights /= weights.sum()
     levels = np.append(LEVELS[0], (LEVELS[1:] + LEVELS[:-1]) / 2)
@@ -150,14 +150,15 @@ def _integral_to_last_level(density: Floats) -> Floats:
 def _probability_of_smaller_area(summit_counts: Floats, area_ratio: Floats) -> Floats:
     """Return the probability (n,) that summits have a smaller total area than the contact.
 
-    Their number is a Poisson variable of mean `summit_counts` (n,), the area of each an exponential
-    one; `area_ratio` (n,) is the area of the contact relative to the mean of these.
+    The number of summits has a Poisson distribution of the mean `summit_counts` (n,), and their
+    areas are exponentially distributed. `area_ratio` (n,) is the contact area relative to the mean
+    area of a summit.
     """
     is_few = area_ratio <= MAX_POISSON_SUMMITS
     spread = np.sqrt(2 * np.maximum(summit_counts, 1e-300))
     probability = special.ndtr((area_ratio - summit_counts) / spread)
     # The sum over i in theory.md is a noncentral chi-squared distribution of 2 degrees of freedom.
-    # Its small probabilities lack digits, but count, because forces at their levels may be huge.
+    # Its small probabilities lack digits. They are summed below, because their forces may be huge.
     probability[is_few] = 1 - special.chndtr(2 * summit_counts[is_few], 2, 2 * area_ratio[is_few])
     is_rare = is_few & (probability < MIN_COMPLEMENT)
     if is_rare.any():
