@@ -21,7 +21,7 @@ from paper_datasets import (
 from paper_numbers import CLAIMS, CONSTANTS
 from repository import PAPER, ROOT
 
-from hardcontact.paper.claims.verdicts import JUDGED_COLUMNS, VERDICTS, add_open_ends
+from hardcontact.paper.claims.verdicts import JUDGED_COLUMNS, VERDICTS
 from hardcontact.report.figures.listing import PAPER_FIGURES, Description
 from hardcontact.report.paper_study.answer import paper_answer
 from hardcontact.report.paper_study.pages import figures_page, paper_page
@@ -41,7 +41,7 @@ def claims():
         computed=1.01 * numbers,
         low=np.where(numbers % 3, 0.9 * numbers, np.nan),
         high=np.where(numbers % 3, 1.1 * numbers, np.nan),
-        evidence=CLAIMS["evidence"],
+        open_end="",
         accepted_low=0.8 * numbers,
         accepted_high=np.where(numbers % 2, 1.25 * numbers, np.inf),
         agreeing_share=np.where(numbers % 3, 0.58, np.nan),
@@ -67,17 +67,10 @@ def datasets(contacts=20, pixels=512):
     }
 
 
-def open_claims(rows=None, **changed):
-    """Return claims with the open ends of their intervals."""
-    data = datasets() | changed
-    return add_open_ends(claims() if rows is None else rows, [data["edges"], data["sets"]])
-
-
 def answer(rows=None, configuration=PAPER, **changed):
     """Return answer.json of the study, from other claims or datasets if given."""
-    table = open_claims(rows, **changed)
     content = paper_answer(
-        table,
+        claims() if rows is None else rows,
         datasets() | changed,
         constants=CONSTANTS,
         table1=published_table1(),
@@ -108,7 +101,8 @@ def captions():
 def make_page(rows=None, configuration=PAPER, **changed):
     """Return the page of the answer."""
     content = answer(rows, configuration, **changed)
-    return paper_page(content, open_claims(rows, **changed), figures(), captions(), CITATION, FRAME)
+    table = claims() if rows is None else rows
+    return paper_page(content, table, figures(), captions(), CITATION, FRAME)
 
 
 def make_figures_page():

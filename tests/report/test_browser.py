@@ -7,7 +7,7 @@ import pytest
 from answer_inputs import datasets, fit, open_edges, setting, spectra, topography
 from browser import WIDTHS, audit_page, measure_pages, needs_browser, run_on_pages
 from html_page import Page
-from paper_study import CITATION, FRAME, make_page, open_claims, svg
+from paper_study import CITATION, FRAME, claims, make_page, svg
 from repository import PAPER, ROOT
 
 from hardcontact.paper.claims.verdicts import VERDICTS
@@ -41,7 +41,7 @@ def page_of(name):
         return surfaces_page(datasets(edges=open_edges(), spectra=spectra().assign(path=paths)))
     texts = {"theory": (ROOT / "workflow/report/theory.md").read_text("utf-8")}
     lengths = {f"scan {number}": text for number, text in enumerate(LENGTHS[::-1])}
-    return report_pages(open_claims()[:14], [], texts, PAPER, lengths, FRAME)[name]
+    return report_pages(claims()[:14], [], texts, PAPER, lengths, FRAME)[name]
 
 
 @pytest.mark.parametrize(
@@ -148,7 +148,7 @@ def test_claims_copy_with_their_cells_apart_and_open_for_a_link_and_for_the_prin
     result = outcomes["used claims"]
     head, row = result["copied"].split("\n")[:2]
     statement, location = row.split("\t")[0].split("; ")[:2]
-    claim = open_claims().iloc[int(location.split(" · ")[0].removeprefix("Statement ")) - 1]
+    claim = claims().iloc[int(location.split(" · ")[0].removeprefix("Statement ")) - 1]
     assert (statement, claim["verdict"]) == (claim["statement"], VERDICTS[0])
     assert len(row.split("\t")) == len(head.split("\t")) == 6
     assert result["opened"] == [True] * 4 + [False] * 2 + [True]

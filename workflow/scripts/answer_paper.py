@@ -5,7 +5,7 @@ from pathlib import Path
 from hardcontact.base import published
 from hardcontact.base.dataset import read_dataset
 from hardcontact.config.user_files import read_yaml
-from hardcontact.paper.claims.verdicts import add_open_ends, read_judged_claims
+from hardcontact.paper.claims.verdicts import read_judged_claims
 from hardcontact.records.code import read_pins
 from hardcontact.records.job import run_job
 from hardcontact.report.figures.listing import caption
@@ -24,7 +24,6 @@ with run_job(snakemake) as job:
     citation = read_yaml(job.input.citation)
     table1 = published.read_table1(job.input.published_table1)
     claims = read_judged_claims(job.input.claims)
-    claims = add_open_ends(claims, [datasets["edges"], datasets["sets"]])
 
     answer = paper_answer(
         claims,

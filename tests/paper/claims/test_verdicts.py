@@ -12,8 +12,8 @@ from scipy.stats import binomtest
 from hardcontact.paper.claims.verdicts import (
     VERDICTS,
     accepted_range,
-    add_open_ends,
     count_verdicts,
+    find_open_end,
     read_judged_claims,
     without_verdicts,
 )
@@ -163,7 +163,4 @@ BANDS = [band([20, 43, 120, 250, 500, 1800, 3500]), band([43, 120, 500, 1800])]
     ],
 )
 def test_an_end_at_or_beyond_the_last_cutoff_is_open(side, edge, low, high, end):
-    numbers = {"computed": edge, "low": low, "high": high}
-    names = [f"{side}_edge_first", f"{side}_edge_mean", "range_of_adhesion"]
-    claims = add_open_ends(pd.DataFrame([{"id": name, **numbers} for name in names]), BANDS)
-    assert claims["open_end"].tolist() == [end, end, ""]
+    assert find_open_end(side, edge, low, high, BANDS) == end

@@ -6,7 +6,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from html_page import Page, dead_links
-from paper_study import FRAME, PAGES, make_figures_page, make_page, open_claims
+from paper_study import FRAME, PAGES, make_figures_page, make_page
 from paper_study import claims as all_claims
 from refusals import assert_says
 from repository import PAPER, ROOT
@@ -96,7 +96,7 @@ KINDS = ["independent", "follows", "by construction"]
 
 
 def test_the_page_of_claims_has_a_row_for_each_and_counts_verdicts():
-    table = all_claims().assign(open_end="")
+    table = all_claims()
     page = Page(make_pages(table)["claims"])
     rows = [row for row in page.rows if len(row) == 6 and row[0].strip() != "statement"]
     independent_first = sorted(
@@ -150,7 +150,7 @@ def test_a_chapter_is_a_page_whose_links_lead_to_pages_not_into_the_repository()
 def all_pages():
     """Every page of a study, by its path."""
     texts = {path.stem: path.read_text("utf-8") for path in (ROOT / "workflow/report").glob("*.md")}
-    report = make_pages(open_claims(), **texts) | {"figures": make_figures_page()}
+    report = make_pages(all_claims(), **texts) | {"figures": make_figures_page()}
     pages = {f"report/{name}.html": page for name, page in report.items()}
     return pages | {"answer.html": make_page()}
 

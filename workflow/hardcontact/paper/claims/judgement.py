@@ -29,6 +29,7 @@ from hardcontact.paper.claims.selection import (
 from hardcontact.paper.claims.verdicts import (
     JUDGED_COLUMNS,
     accepted_range,
+    find_open_end,
     interval_with_sets,
     samples_vary,
 )
@@ -41,6 +42,8 @@ DERIVED_QUANTITIES: dict[str, Callable[..., xr.Dataset]] = {
     for name, function in vars(module).items()
     if getattr(function, "__module__", "") == module.__name__ and not name.startswith("_")
 }
+#: Quantities that are edges of the band, whose intervals may be open.
+EDGE_QUANTITIES = ("band_edge", "outermost_edge")
 
 
 def claim_values(
@@ -154,7 +157,7 @@ def _prefix_errors(claim: Claim) -> Iterator[None]:
 def _judge(
     claim: Claim, result: _ClaimResult, sets: xr.Dataset, confidence: float
 ) -> dict[str, Any]:
-    """Return the columns ``computed`` to ``verdict`` of a claim, which follow from numbers."""
+    """Return the columns of a claim that follow from numbers."""
     value = float(result.estimate["value"])
     samples = _claim_samples(claim, result, sets)
     ends = interval_ends(result.estimate, "value")
@@ -168,10 +171,15 @@ def _judge(
         verdict = accepted.verdict_of_sets(samples, confidence)
     else:
         verdict = accepted.verdict(value, low, high)
+    open_end = ""
+    if claim.quantity in EDGE_QUANTITIES:
+        side = result.labels["side"][0][0]
+        open_end = find_open_end(side, value, low, high, [result.datasets["edges"], sets])
     return {
         "computed": value,
         "low": low,
         "high": high,
+        "open_end": open_end,
         "accepted_low": accepted.low,
         "accepted_high": accepted.high,
         "agreeing_share": accepted.accepts(samples).mean() if len(samples) else np.nan,

@@ -33,17 +33,12 @@ ONE_SIDED = ("below", "above", "order")
 #: significance.
 REPRODUCED_SHARE = 0.95
 #: Columns of the claims.csv of a study. `evidence` says where the limits of the paper come from,
-#: `basis` on which scans the computed number rests.
+#: `basis` on which scans the computed number rests, `open_end` comes from `find_open_end`.
 JUDGED_COLUMNS = (
-    "id", "main", "section", "statement", "number", "published", "computed", "low", "high", "unit",
-    "rule", "evidence", "accepted_low", "accepted_high", "agreeing_share", "verdict",
-    "follows_from", "basis", "note",
+    "id", "main", "section", "statement", "number", "published", "computed", "low", "high",
+    "open_end", "unit", "rule", "evidence", "accepted_low", "accepted_high", "agreeing_share",
+    "verdict", "follows_from", "basis", "note",
 )  # fmt: skip
-#: Claims about an edge of the band, with its side.
-EDGE_CLAIMS = {
-    "short_edge_first": "short", "short_edge_mean": "short", "short_edge_mean_at_least": "short",
-    "long_edge_first": "long", "long_edge_mean": "long", "long_edge_mean_at_most": "long",
-}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -177,7 +172,7 @@ def read_judged_claims(path: str | Path) -> pd.DataFrame:
         raise ValueError(
             f"{path}: expected a complete table, found a part of it; delete it and run again"
         )
-    text = dict.fromkeys(["main", "unit", "follows_from", "note", "verdict"], str)
+    text = dict.fromkeys(["main", "open_end", "unit", "follows_from", "note", "verdict"], str)
     return pd.read_csv(path, dtype=text).fillna(dict.fromkeys(text, ""))
 
 
@@ -196,14 +191,6 @@ def find_open_end(
     is_beyond = (sign * value >= sign * last_cutoffs).any()
     is_open = np.isclose(limit, last_cutoffs).any() or (is_beyond and np.isclose(limit, value))
     return end if is_open else ""
-
-
-def add_open_ends(claims: pd.DataFrame, bands: Sequence[xr.Dataset]) -> pd.DataFrame:
-    """Add the column `open_end` to claims: of edges from `find_open_end`, otherwise empty."""
-    sides = claims["id"].map(EDGE_CLAIMS)
-    rows = zip(sides, claims["computed"], claims["low"], claims["high"], strict=True)
-    ends = [find_open_end(*row, bands) if isinstance(row[0], str) else "" for row in rows]
-    return claims.assign(open_end=ends)
 
 
 def without_verdicts(claims: pd.DataFrame) -> pd.DataFrame:

@@ -60,7 +60,7 @@ def paper_answer(
 ) -> dict[str, Any]:
     """Return the content of answer.json: a head, notes in words, and all numbers.
 
-    `claims` comes from `add_open_ends`, `constants` and `table1` from `published`. The
+    `claims` comes from `read_judged_claims`, `constants` and `table1` from `published`. The
     datasets are `topography`, `filtered_forces`, `edges`, `edge_shifts`, `sensitivity`,
     `band_forces`, `sets`, `features`, `fit`, and `scan_size` from resources/validation.
     """

@@ -39,7 +39,7 @@ def paper_page(
 ) -> str:
     """Return the page of the paper's study.
 
-    `claims` comes from `add_open_ends`; `figures` (SVG) and `captions` are by figure name.
+    `claims` comes from `read_judged_claims`; `figures` (SVG) and `captions` are by figure name.
     """
     numbers = numbers_of_answer(answer)
     artificial_claims = [
