@@ -10,7 +10,7 @@ from intervals import between_multiples
 from paper_numbers import CLAIMS, TABLES
 from scipy import stats
 
-from hardcontact.paper.claims.judgement import EDGE_QUANTITIES, claim_values, judge_claims
+from hardcontact.paper.claims.judgement import claim_values, judge_claims
 from hardcontact.paper.claims.selection import claim_surfaces
 from hardcontact.paper.claims.verdicts import JUDGED_COLUMNS, accepted_range
 
@@ -27,12 +27,6 @@ def test_each_claim_follows_in_the_end_from_an_independent_claim():
         while origin := ROWS.loc[chain[-1], "follows_from"]:
             assert origin not in chain
             chain.append(origin)
-
-
-def test_all_claims_about_edges_may_have_open_intervals():
-    about_edges = ROWS["quantity"].isin(EDGE_QUANTITIES)
-    assert (about_edges == (ROWS["dataset"] == "edges")).all() and about_edges.any()
-    assert ROWS.loc[about_edges, "select"].str.match("side=(short|long)").all()
 
 
 def test_claims_repeat_table1():
@@ -118,7 +112,7 @@ def make_datasets(substitutes=(), surfaces=SURFACES):
 def judge_all(datasets, samples=(), confidence=0.95, **changes):
     sets = xr.Dataset(
         {"value": (("set", "claim"), np.reshape(samples, (-1, 1)))}, {"claim": ["claim"]}
-    )
+    ).merge(datasets.get("edges", {}))
     claims = pd.DataFrame([CLAIM | changes])
     return judge_claims(claims, datasets, CONSTANTS, confidence, sets)
 
@@ -136,6 +130,18 @@ def test_a_number_is_judged_with_its_interval():
     assert (row.verdict, row.basis) == ("reproduced", "measured")
     assert np.isnan(row.agreeing_share)
     assert judge(published_high=2.1).verdict == "undecided"
+
+
+@pytest.mark.parametrize(("last_cutoff", "open_end"), [(250.0, "high"), (500.0, "")])
+def test_the_interval_of_an_edge_is_open_at_the_last_cutoff(last_cutoff, open_end):
+    edges = xr.Dataset(
+        {"filtered_force_change": (("side", "cutoff_wavelength"), [[0.05, 0.1]])}
+        | between_multiples("edge", ("side", "surface"), [[200.0]], (0.9, 1.25)),
+        {"side": ["short"], "surface": ["middle"], "cutoff_wavelength": [43.0, last_cutoff]},
+    )
+    edge = {"dataset": "edges", "quantity": "edge", "select": "side=short", "unit": "nm"}
+    row = judge(make_datasets() | {"edges": edges}, **edge)
+    assert (row.computed, row.high, row.open_end) == (200, 250, open_end)
 
 
 HEIGHT = {"dataset": "topography", "quantity": "afm_rms_height"}

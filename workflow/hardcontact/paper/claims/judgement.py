@@ -42,8 +42,6 @@ DERIVED_QUANTITIES: dict[str, Callable[..., xr.Dataset]] = {
     for name, function in vars(module).items()
     if getattr(function, "__module__", "") == module.__name__ and not name.startswith("_")
 }
-#: Quantities that are edges of the band, whose intervals may be open.
-EDGE_QUANTITIES = ("band_edge", "outermost_edge")
 
 
 def claim_values(
@@ -172,7 +170,7 @@ def _judge(
     else:
         verdict = accepted.verdict(value, low, high)
     open_end = ""
-    if claim.quantity in EDGE_QUANTITIES:
+    if claim.dataset == "edges" and claim.unit == "nm":  # an edge of the band
         side = result.labels["side"][0][0]
         open_end = find_open_end(side, value, low, high, [result.datasets["edges"], sets])
     return {

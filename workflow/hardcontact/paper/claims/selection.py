@@ -49,6 +49,7 @@ class Claim(Protocol):
     dataset: str
     quantity: str
     select: str
+    unit: str
     rule: str
     published_low: float
     published_high: float
