@@ -1,4 +1,4 @@
-"""The classical dataset of a study, from the tables of the paper and an inference dataset."""
+"""The classical dataset of a study, from the tables of the paper and a fit."""
 
 import numpy as np
 import pytest
@@ -17,7 +17,7 @@ from hardcontact.paper.classical_comparison import (
 from hardcontact.paper.classical_models import CLASSICAL_MODELS, Roughness
 
 
-def make_inference(surfaces=SUBSTRATES, forces=MEAN_FORCE):
+def make_fit(surfaces=SUBSTRATES, forces=MEAN_FORCE):
     """Mean forces of plastic contact at the published pair, to within 1 %."""
     dims = ("contact_model", "pair", "surface")
     return xr.Dataset(
@@ -28,9 +28,9 @@ def make_inference(surfaces=SUBSTRATES, forces=MEAN_FORCE):
     )
 
 
-def apply_models(inference):
+def apply_models(fit):
     return apply_classical_models(
-        inference,
+        fit,
         published.read_constants(TABLES / "constants.csv")["value"].to_dict(),
         published.read_table1(TABLES / "table1.csv"),
         published.read_published_forces(TABLES / "pull_off.csv", dtype=str),
@@ -40,7 +40,7 @@ def apply_models(inference):
 
 @pytest.fixture(scope="module")
 def classical():
-    return apply_models(make_inference())
+    return apply_models(make_fit())
 
 
 def test_polished_uncd_has_the_published_force_and_work(classical):
@@ -60,7 +60,7 @@ def test_polished_uncd_has_the_published_force_and_work(classical):
 
 def test_a_surface_that_the_paper_lacks_has_no_numbers(classical):
     """The published surfaces keep their numbers, and no fit to all of them changes."""
-    extended = apply_models(make_inference([*SUBSTRATES, "glass"], [*MEAN_FORCE, 1e-7]))
+    extended = apply_models(make_fit([*SUBSTRATES, "glass"], [*MEAN_FORCE, 1e-7]))
     assert list(extended["surface"].values) == [*SUBSTRATES, "glass"]
     forces = extended["published_mean_force"]
     assert (

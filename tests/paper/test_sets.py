@@ -132,14 +132,15 @@ SETTINGS = SetSettings(
     seed=1, set_count=2, master_count=5, reference_surface="uncd", tolerance=0.1,
     confidence=CONFIDENCE,
 )  # fmt: skip
-FORCES = pd.DataFrame({"mean_force": MEAN_FORCE}, index=SUBSTRATES)
-REPLICATED = CLAIMS[CLAIMS["samples_from"] == "sets"]
-PAPER = REPLICATED, CONSTANTS, PublishedForces(FORCES, (5.6, WORK), 0.1)
+CLAIMS_OF_SETS = CLAIMS[CLAIMS["samples_from"] == "sets"]
+PUBLISHED = PublishedForces(
+    pd.DataFrame({"mean_force": MEAN_FORCE}, index=SUBSTRATES), (5.6, WORK), 0.1
+)
 
 
 @pytest.fixture(scope="module")
 def sets():
-    return sample_sets(make_inputs(), *PAPER, SETTINGS)
+    return sample_sets(make_inputs(), CLAIMS_OF_SETS, CONSTANTS, PUBLISHED, SETTINGS)
 
 
 def test_numbers_are_those_of_each_set(sets):
@@ -148,9 +149,9 @@ def test_numbers_are_those_of_each_set(sets):
         numbers = sets["value"].sel(set=number)
         sampled_scans = sample_set_scans(inputs, 1, number)
         adhesion = adhesion_of_set(inputs, sampled_scans, 1, number)
-        inference = fit_published(adhesion, PAPER[2], "uncd", Sampling(1, 0, CONFIDENCE))
+        fit = fit_published(adhesion, PUBLISHED, "uncd", Sampling(1, 0, CONFIDENCE))
         ranges = sets["range_of_adhesion"].sel(set=number, contact_model=MODELS)
-        np.testing.assert_allclose(inference["range_of_adhesion"].sel(contact_model=MODELS), ranges)
+        np.testing.assert_allclose(fit["range_of_adhesion"].sel(contact_model=MODELS), ranges)
         gradient = sampled_scans["ncd"]["rms_gradient"].mean().item()
         assert numbers.sel(claim="afm_rms_slope_ncd").item() == pytest.approx(gradient)
 

@@ -2,7 +2,7 @@
 
 from hardcontact.base.published import CLAIMS
 from hardcontact.paper.claims.statements import datasets_of_claims
-from hardcontact.paper.changed_inputs import paper_contact
+from hardcontact.paper.changed_inputs import contact_inputs
 
 CLAIM_DATASETS = datasets_of_claims(CLAIMS)
 
@@ -22,7 +22,7 @@ rule evaluate_claims:
         parameters=dict(
             datasets=CLAIM_DATASETS,
             confidence=STUDY["intervals"]["confidence"],
-            contact_words=paper_contact(STUDY),
+            contact_inputs=contact_inputs(STUDY),
         ),
     script:
         "../scripts/evaluate_claims.py"

@@ -20,6 +20,6 @@ with run_job(snakemake) as job:
     )
     substrates = datasets["edges"]["surface"].values.tolist()
     table1 = published.read_table1(job.input.published_table1)
-    if changed_inputs(params["contact_words"], substrates, table1):
+    if changed_inputs(params["contact_inputs"], substrates, table1):
         claims = without_verdicts(claims)
     job.write_text(claims.to_csv(index=False, float_format="%.6g"), "claims")

@@ -1,4 +1,4 @@
-"""Inputs of a study of the paper that are not the paper's: such a study asks what changes."""
+"""Inputs of a study of the paper's kind that differ from the paper's."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -12,10 +12,10 @@ from hardcontact.config.keys import Study
 SPHERE_AT_CUTOFFS = "sphere in computations of the band"
 
 
-def paper_contact(configuration: Mapping[str, Any]) -> dict[str, str]:
-    """Return the inputs of the contacts of a study of the paper, as printed."""
+def contact_inputs(configuration: Mapping[str, Any]) -> dict[str, str]:
+    """Return the inputs of the contacts of a study, in words, by their names on pages."""
     words = contact_words(configuration)
-    # It is fitted to the published forces.
+    # The work of adhesion is no input, because it is fitted to the published forces.
     del words[CONTACT_QUANTITIES["work"][1]]
     sphere = "rough" if configuration["band"]["sphere_roughness"] else "smooth"
     return words | {SPHERE_AT_CUTOFFS: sphere}
@@ -25,7 +25,7 @@ def changed_inputs(
     contact: Mapping[str, str], substrates: Sequence[str], table1: pd.DataFrame
 ) -> list[dict[str, str]]:
     """Return the inputs of contacts, and the coatings, that differ from the paper's."""
-    paper_inputs = paper_contact(Study().model_dump(warnings=False))
+    paper_inputs = contact_inputs(Study().model_dump(warnings=False))
     paper_inputs["coatings"] = _join_surfaces(table1["surface"])
     inputs = {**contact, "coatings": _join_surfaces(substrates)}
     return [

@@ -62,7 +62,7 @@ def apply_classical_models(
     published = rows.index.intersection(printed.index)
     surfaces = [name for name in fit["surface"].values.tolist() if name in published]
     forces = {
-        "published": rounded_numbers(printed.loc[surfaces, "mean_force"]),
+        "published": _rounded_numbers(printed.loc[surfaces, "mean_force"]),
         "computed": _forces_at_published_pair(fit.sel(surface=surfaces)),
     }
     radius, work = fit.attrs["sphere_radius"], constants["work_of_adhesion"]
@@ -70,7 +70,7 @@ def apply_classical_models(
     effective_works = _effective_works(forces, radius, constants["tabor_parameter"])
     models = {}
     for metrics in METRIC_PREFIXES:
-        roughness = _sampled_roughness(rows.loc[surfaces], metrics, sampling)
+        roughness = _sample_roughness(rows.loc[surfaces], metrics, sampling)
         samples = _model_samples(roughness, sphere, work, forces, effective_works)
         models[(metrics,)] = _with_intervals(samples, sampling)
     return (
@@ -108,11 +108,22 @@ def _effective_works(
     }
 
 
-def _sampled_roughness(rows: pd.DataFrame, metrics: str, sampling: Sampling) -> Roughness:
-    """Return a roughness (1 + sample, surface) from the rows of Table 1 for one kind of metrics."""
-    mean = _roughness(rows, "value", METRIC_PREFIXES[metrics])
-    uncertainty = _roughness(rows, "uncertainty", METRIC_PREFIXES[metrics])
-    return sample_roughness(sampling.generator(metrics), mean, uncertainty, sampling.sample_count)
+def _sample_roughness(rows: pd.DataFrame, metrics: str, sampling: Sampling) -> Roughness:
+    """Return a roughness (1 + sample, surface): the values of Table 1, then samples within their ±.
+
+    Samples are normal, truncated at zero.
+    """
+    from scipy.stats import truncnorm
+
+    rng = sampling.generator(metrics)
+    size = sampling.sample_count, len(rows)
+    samples_by_quantity = []
+    for quantity in Roughness._fields:
+        row = f"{METRIC_PREFIXES[metrics]}_rms_{quantity}"
+        mean, spread = rows["value", row].to_numpy(), rows["uncertainty", row].to_numpy()
+        samples = truncnorm.rvs(-mean / spread, np.inf, mean, spread, size=size, random_state=rng)
+        samples_by_quantity.append(np.vstack([mean, samples]))
+    return Roughness(*samples_by_quantity)
 
 
 def _with_intervals(samples: Mapping[str, Floats], sampling: Sampling) -> xr.Dataset:
@@ -142,7 +153,7 @@ def _forces_at_published_pair(fit: xr.Dataset) -> Floats:
     return np.column_stack([plastic["mean_force_at_pair"].values, interval.values])
 
 
-def rounded_numbers(printed: "pd.Series[str]") -> Floats:
+def _rounded_numbers(printed: "pd.Series[str]") -> Floats:
     """Return printed numbers, and the smallest and largest numbers rounded to them, (n, 3)."""
     value = printed.astype(float).to_numpy()
     half_unit = printed.map(_half_unit).astype(float).to_numpy()
@@ -167,29 +178,6 @@ def _forces_and_works(
         name = f"{source}_mean_force"
         variables |= as_variables(name, "surface", force[:, 0], force[:, 1:], NEWTON, confidence)
     return xr.Dataset(variables)
-
-
-def _roughness(rows: pd.DataFrame, column: str, prefix: str) -> Roughness:
-    """Return the values or uncertainties of three rows of Table 1, arrays (surface,)."""
-    names = [(column, f"{prefix}_rms_{name}") for name in Roughness._fields]
-    return Roughness(*(rows[name].to_numpy() for name in names))
-
-
-def sample_roughness(
-    rng: np.random.Generator, mean: Roughness, uncertainty: Roughness, samples: int
-) -> Roughness:
-    """Return a roughness (1 + samples, surface): the mean, then samples within the published ±.
-
-    Samples are normal, truncated at zero.
-    """
-    from scipy.stats import truncnorm
-
-    size = samples, len(mean.height)
-    sampled_rows = [
-        truncnorm.rvs(-centre / spread, np.inf, centre, spread, size=size, random_state=rng)
-        for centre, spread in zip(mean, uncertainty, strict=True)
-    ]
-    return Roughness(*(np.vstack(rows) for rows in zip(mean, sampled_rows, strict=True)))
 
 
 def _model_samples(

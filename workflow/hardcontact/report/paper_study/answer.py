@@ -15,7 +15,7 @@ from hardcontact.contact.numerical_limits import SHORT_ADHESION_RANGE
 from hardcontact.inference.edges import MEAN_GROUP, EdgeStatus, edges_or_bounds
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.octaves import strongest_octaves
-from hardcontact.paper.changed_inputs import changed_inputs, paper_contact
+from hardcontact.paper.changed_inputs import changed_inputs, contact_inputs
 from hardcontact.paper.claims.verdicts import count_verdicts, find_open_end, interval_with_sets
 from hardcontact.report.paper_study.tables import claim_facts
 from hardcontact.report.quantities import EDGE_NAMES, all_quantities, number_of
@@ -69,7 +69,7 @@ def paper_answer(
     substrates = [str(name) for name in datasets["edges"]["surface"].values]
     coatings = {name: surface_numbers(name, datasets) for name in substrates}
     sizes = [(numbers[name].value, numbers[f"{name}_published"].value) for name in COMPARED_GRIDS]
-    contact = paper_contact(numeric_configuration(configuration))
+    contact = contact_inputs(numeric_configuration(configuration))
     changed = changed_inputs(contact, substrates, table1)
     sets = datasets["sets"]
     facts = claim_facts(claims, sets.sizes["set"], sets.attrs["confidence"]) | {
