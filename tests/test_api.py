@@ -25,7 +25,7 @@ import hardcontact as hc
 from hardcontact import api
 from hardcontact.base.arrays import generator
 from hardcontact.commands.predict import predict, predict_arguments
-from hardcontact.surfaces.spectrum import smooth_rolloff
+from hardcontact.surfaces.spectral_models import smooth_rolloff
 
 DOCS = ROOT / "resources/docs"
 FUNCTIONS = [name for name in hc.API if inspect.isfunction(getattr(hc, name))]

@@ -28,7 +28,8 @@ from hardcontact.inference.edges import (
     logarithmic_limits,
 )
 from hardcontact.inference.forces_on_masters import Filters, filtered_pull_off
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, self_affine, varying_hurst
+from hardcontact.surfaces.spectral_models import self_affine, varying_hurst
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.surfaces.synthesis import SIDES, random_surface
 from hardcontact.theory.closed_form import closed_form, critical_band
 from hardcontact.theory.summits import spectrum_between

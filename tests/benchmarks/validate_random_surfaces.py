@@ -25,7 +25,7 @@ from hardcontact.own.scan_contact import contact_on_scan
 from hardcontact.own.wide_pixels import WIDE_PIXEL_WIDTH
 from hardcontact.surfaces.height_map import HeightMap, mirror_in_float32
 from hardcontact.surfaces.levelling import level_plane
-from hardcontact.surfaces.spectrum import smooth_rolloff
+from hardcontact.surfaces.spectral_models import smooth_rolloff
 from hardcontact.surfaces.synthesis import random_surface
 
 FAMILIES = ("gaussian", "plateau", "pits", "peaks", "pillars", "steps")

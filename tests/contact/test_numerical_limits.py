@@ -17,7 +17,8 @@ from hardcontact.contact.numerical_limits import (
 from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.levelling import level_plane
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, smooth_rolloff, spectral_moment
+from hardcontact.surfaces.spectral_models import smooth_rolloff
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, spectral_moment
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.theory.summits import search_size, spectrum_between
 

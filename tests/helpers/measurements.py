@@ -8,7 +8,8 @@ import numpy as np
 from hardcontact.base.arrays import generator
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.levelling import level_plane
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, smooth_rolloff
+from hardcontact.surfaces.spectral_models import smooth_rolloff
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.surfaces.synthesis import random_surface
 
 PIXEL = 2500 / 512  # nm, of the paper's scans

@@ -22,7 +22,8 @@ from hardcontact.inference.mean_forces import MasterScans
 from hardcontact.scans.joined_spectrum import joined_spectrum, sample_spectra
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 from hardcontact.surfaces.levelling import level_plane
-from hardcontact.surfaces.spectrum import self_affine, smooth_rolloff, spectrum_of_dataset
+from hardcontact.surfaces.spectral_models import self_affine, smooth_rolloff
+from hardcontact.surfaces.spectrum import spectrum_of_dataset
 from hardcontact.surfaces.synthesis import long_edge_master, random_surface, short_edge_master
 
 SIZE = 2500.0

@@ -12,13 +12,8 @@ from hardcontact.base.arrays import generator
 from hardcontact.scans.extrapolation import MAX_GRADIENT, MAX_HALF_LAPLACIAN
 from hardcontact.scans.joined_spectrum import joined_spectrum, sample_spectra
 from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER
-from hardcontact.surfaces.spectrum import (
-    WAVEVECTORS,
-    Spectrum,
-    all_scales_rms,
-    spectrum_of_dataset,
-    varying_hurst,
-)
+from hardcontact.surfaces.spectral_models import varying_hurst
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_rms, spectrum_of_dataset
 from hardcontact.surfaces.synthesis import SIDES
 from hardcontact.theory import closed_form as closed
 from hardcontact.theory.closed_form import closed_form, filtered_spectrum

@@ -10,7 +10,7 @@ from scipy.ndimage import gaussian_filter
 from hardcontact.base.arrays import generator
 from hardcontact.scans.defects import DEFECTS, level_and_list_defects, scan_defects
 from hardcontact.surfaces.features import Features, add_features
-from hardcontact.surfaces.spectrum import smooth_rolloff
+from hardcontact.surfaces.spectral_models import smooth_rolloff
 
 PIXEL, PIXELS = 20.0, 128
 SIZE = PIXELS * PIXEL

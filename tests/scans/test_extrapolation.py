@@ -18,7 +18,8 @@ from hardcontact.scans.extrapolation import (
     share_after_levelling,
 )
 from hardcontact.scans.joined_spectrum import joined_spectrum, sample_spectra
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_rms, self_affine
+from hardcontact.surfaces.spectral_models import self_affine
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_rms
 from hardcontact.surfaces.synthesis import random_surface
 
 SIZE, PIXELS = 5000.0, 128

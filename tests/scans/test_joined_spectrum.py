@@ -9,7 +9,8 @@ from hardcontact.scans.extrapolation import HURST_SCATTER
 from hardcontact.scans.joined_spectrum import joined_spectrum, sample_spectra
 from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER, isotropic_psd
 from hardcontact.scans.reliable_band import reliable_band
-from hardcontact.surfaces.spectrum import BIN_CENTRES, WAVEVECTORS, smooth_rolloff
+from hardcontact.surfaces.spectral_models import smooth_rolloff
+from hardcontact.surfaces.spectrum import BIN_CENTRES, WAVEVECTORS
 
 
 def test_two_maps_and_a_line_give_the_spectrum_of_the_surface():

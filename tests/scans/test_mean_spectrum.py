@@ -8,7 +8,8 @@ from hardcontact.base.arrays import generator
 from hardcontact.scans.joined_spectrum import joined_spectrum
 from hardcontact.scans.mean_spectrum import smooth_curve
 from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER, variance_of_log
-from hardcontact.surfaces.spectrum import BIN_CENTRES, smooth_rolloff
+from hardcontact.surfaces.spectral_models import smooth_rolloff
+from hardcontact.surfaces.spectrum import BIN_CENTRES
 
 
 def pattern(kind, seed):

@@ -14,7 +14,8 @@ from hardcontact.scans.measured_spectrum import (
     local_slopes,
     variance_of_log,
 )
-from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_EDGES, profile_over_isotropic
+from hardcontact.surfaces.spectral_models import profile_over_isotropic
+from hardcontact.surfaces.spectrum import BIN_CENTRES
 
 
 def test_a_tilt_does_not_change_the_spectrum():
@@ -80,8 +81,7 @@ def test_axes_differ_where_the_lines_of_a_scan_are_smoothed():
     assert (axis_ratio(random_line(generator(8), 100, PIXEL)) == 1).all()
 
 
-BINS = np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
-WAVEVECTORS = BINS[(BINS > 1e-4) & (BINS < 2)]
+WAVEVECTORS = BIN_CENTRES[(BIN_CENTRES > 1e-4) & (BIN_CENTRES < 2)]
 MANY_WAVES = np.full(WAVEVECTORS.shape, 1e3)
 
 

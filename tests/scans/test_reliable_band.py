@@ -10,7 +10,8 @@ from hardcontact.scans.measured_spectrum import isotropic_psd
 from hardcontact.scans.reliable_band import reliable_band
 from hardcontact.surfaces.height_map import to_surface_topography
 from hardcontact.surfaces.levelling import level_plane
-from hardcontact.surfaces.spectrum import BIN_CENTRES, smooth_rolloff
+from hardcontact.surfaces.spectral_models import smooth_rolloff
+from hardcontact.surfaces.spectrum import BIN_CENTRES
 from hardcontact.surfaces.synthesis import random_surface
 
 PIXEL = 10.0

@@ -9,7 +9,8 @@ from hardcontact.base.dataset import read_dataset, write_dataset
 from hardcontact.scans.extrapolation import Tail
 from hardcontact.scans.joined_spectrum import joined_spectrum
 from hardcontact.scans.spectrum_datasets import convert_described_spectrum, stack_spectra
-from hardcontact.surfaces.spectrum import WAVEVECTORS, self_affine, spectrum_dataset
+from hardcontact.surfaces.spectral_models import self_affine
+from hardcontact.surfaces.spectrum import WAVEVECTORS, spectrum_dataset
 
 SEGMENTS = pd.DataFrame(
     {
@@ -29,7 +30,7 @@ def described_spectrum():
     return convert_described_spectrum(substitute, "x.csv")
 
 
-def test_only_published_or_measured_bands_are_known():
+def test_only_published_or_measured_segments_are_known():
     spectrum = described_spectrum()
     assert spectrum.notes.values.tolist() == ["a", "b"]
     np.testing.assert_allclose(spectrum.longest_reliable, [1e6, 100.0])

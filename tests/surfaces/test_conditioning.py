@@ -15,7 +15,7 @@ from hardcontact.surfaces.metrics import metrics
 from hardcontact.surfaces.spectrum import spectrum_dataset
 from hardcontact.surfaces.substitutes import Substitute, Targets
 from hardcontact.surfaces.synthesis import ScanGrid
-from hardcontact.surfaces.table1_calibration import AFM_ROWS, expected_scan_rms, transfer_weights
+from hardcontact.surfaces.table1_calibration import AFM_ROWS, expected_scan_rms, scan_rms_weights
 
 NAMES = ("rms_height", "rms_gradient", "rms_half_laplacian")
 GRID = ScanGrid(64, 64 * PIXEL, 256)
@@ -43,7 +43,7 @@ def assert_met(targets, scan_metrics):
 @pytest.fixture(scope="module")
 def spectrum():
     """UNCD's spectrum, calibrated to the AFM rows of Table 1."""
-    rms_values = expected_scan_rms(UNCD, transfer_weights(256, PIXEL, 64))
+    rms_values = expected_scan_rms(UNCD, scan_rms_weights(256, PIXEL, 64))
     return spectrum_dataset(UNCD.density).assign_attrs(
         table1_rows_met="afm_rms_height,afm_rms_slope,afm_rms_curvature,all_rms_slope",
         expected_scan_rms=rms_values,
@@ -105,7 +105,7 @@ def test_coarser_pixels_keep_the_rms_height(spectrum):
     coarse = ScanGrid(32, GRID.size, 128)
     source = substitute(spectrum, coarse)
     targets = source.targets
-    rms_values = expected_scan_rms(uncd_density, transfer_weights(128, 2 * PIXEL, 32))
+    rms_values = expected_scan_rms(uncd_density, scan_rms_weights(128, 2 * PIXEL, 32))
     np.testing.assert_allclose(list(targets.means.values()), [20.0, *rms_values[1:]], rtol=1e-3)
     assert targets.met_rows == ("afm_rms_height",)
     batch = conditioning.condition_batch(source, targets, [1, 2])
@@ -141,6 +141,6 @@ def test_rows_of_table_1_beyond_a_smooth_gain_are_not_met(spectrum):
 def test_scans_of_another_size_meet_no_row_of_table_1(spectrum):
     grid = ScanGrid(128, 2 * GRID.size, 256)
     targets = substitute(spectrum, grid).targets
-    rms_values = expected_scan_rms(UNCD, transfer_weights(512, PIXEL, 128))
+    rms_values = expected_scan_rms(UNCD, scan_rms_weights(512, PIXEL, 128))
     np.testing.assert_allclose(list(targets.means.values()), rms_values)
     assert targets.met_rows == ()

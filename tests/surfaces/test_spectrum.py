@@ -7,8 +7,14 @@ import pytest
 from measurements import levelled_scan, uncd_density
 
 from hardcontact.base.arrays import generator
-from hardcontact.surfaces import spectrum
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, measured_psds
+from hardcontact.surfaces.spectral_models import (
+    isotropic_through_points,
+    profile_over_isotropic,
+    self_affine,
+    smooth_rolloff,
+    varying_hurst,
+)
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_rms, measured_psds
 
 
 def test_table_interpolates_power_laws_exactly_and_ends_in_zero():
@@ -23,7 +29,7 @@ def test_table_interpolates_power_laws_exactly_and_ends_in_zero():
 def test_rms_values_of_a_band_are_its_integrals():
     # C_iso = 1 nm4 from q = 1 to 2: (1/2 pi) ∫ q^(1 + 2k) dq, the Laplacian's a quarter of it.
     q = np.geomspace(1, 2, 20_001)
-    rms_values = spectrum.all_scales_rms(Spectrum(q, np.ones_like(q)))
+    rms_values = all_scales_rms(Spectrum(q, np.ones_like(q)))
     squares = np.array([3 / 2, 15 / 4, 63 / 6 / 4]) / (2 * np.pi)
     np.testing.assert_allclose(rms_values, np.sqrt(squares), rtol=1e-6)
 
@@ -40,8 +46,8 @@ def test_points_of_a_profile_give_their_power_law():
     wavelengths, hurst = np.array([66.0, 7.0, 24.0, 15.0]), 0.7
     isotropic = Spectrum(WAVEVECTORS, WAVEVECTORS ** (-2 - 2 * hurst))
     q = 2 * np.pi / wavelengths
-    profile = isotropic(q) * spectrum.profile_over_isotropic(q, hurst)
-    density = spectrum.isotropic_through_points(WAVEVECTORS, wavelengths, profile)
+    profile = isotropic(q) * profile_over_isotropic(q, hurst)
+    density = isotropic_through_points(WAVEVECTORS, wavelengths, profile)
     np.testing.assert_allclose(density, isotropic.density, rtol=1e-6)
 
 
@@ -49,7 +55,7 @@ def test_a_varying_hurst_exponent_is_the_local_slope():
     q = 2 * np.pi / 2000.0 * np.array([10.0, 100.0])
     step = 1e-6
     log_densities = [
-        np.log(spectrum.varying_hurst(q * (1 + s), 1e10, 2000.0, 1.7, -0.5)) for s in (-step, step)
+        np.log(varying_hurst(q * (1 + s), 1e10, 2000.0, 1.7, -0.5)) for s in (-step, step)
     ]
     exponent = (log_densities[1] - log_densities[0]) / (2 * step)
     np.testing.assert_allclose(-1 - exponent / 2, [1.2, 0.7], rtol=1e-5)
@@ -58,9 +64,9 @@ def test_a_varying_hurst_exponent_is_the_local_slope():
 @pytest.mark.parametrize(
     ("density", "at_rolloff"),
     [
-        (spectrum.self_affine, 3.0),
-        (spectrum.smooth_rolloff, 3 * 2**-1.8),
-        (partial(spectrum.varying_hurst, hurst_change=0.0), 3.0),
+        (self_affine, 3.0),
+        (smooth_rolloff, 3 * 2**-1.8),
+        (partial(varying_hurst, hurst_change=0.0), 3.0),
     ],
 )
 def test_models_end_in_a_plateau_and_in_a_power_law(density, at_rolloff):

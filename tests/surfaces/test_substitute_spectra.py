@@ -9,19 +9,19 @@ from repository import DESCRIPTION_HEADER
 from scipy import stats
 
 from hardcontact.base.arrays import generator
-from hardcontact.surfaces import spectrum, substitute_spectra, table1_calibration
+from hardcontact.surfaces import spectral_models, substitute_spectra, table1_calibration
 from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.metrics import metrics
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_rms
 from hardcontact.surfaces.synthesis import random_surface
-from hardcontact.surfaces.table1_calibration import expected_scan_rms, transfer_weights
+from hardcontact.surfaces.table1_calibration import expected_scan_rms, scan_rms_weights
 
 
 def test_no_self_affine_spectrum_has_the_scans_of_ncd():
-    band = pd.Series({"model": "self-affine", "rolloff_nm": np.nan})
-    weights = transfer_weights(2048, PIXEL, 512)
+    segment = pd.Series({"model": "self-affine", "rolloff_nm": np.nan})
+    weights = scan_rms_weights(2048, PIXEL, 512)
     with pytest.raises(ValueError, match="expected a model .* missed by .* %"):
-        table1_calibration.calibrate_model(band, table1_rows("ncd"), weights)
+        table1_calibration.calibrate_model(segment, table1_rows("ncd"), weights)
 
 
 @pytest.fixture
@@ -42,23 +42,24 @@ def test_a_tail_beyond_a_power_law_is_refused(longer_waves, rms_values, message)
         table1_calibration.calibrate_tail(longer_waves, *rms_values)
 
 
-WEIGHTS = transfer_weights(512, PIXEL, 128)
+WEIGHTS = scan_rms_weights(512, PIXEL, 128)
 NO_TABLE1 = pd.DataFrame({"value": [], "uncertainty": []})
 
 
 @pytest.fixture
 def write_description(tmp_path):
-    """Write a description of these bands; its path."""
+    """Write a description of these segments; its path."""
 
-    def write(*bands):
+    def write(*segments):
         path = tmp_path / "surface.csv"
-        path.write_text(DESCRIPTION_HEADER + "".join(f"{band},assumed,none\n" for band in bands))
+        rows = (f"{segment},assumed,none\n" for segment in segments)
+        path.write_text(DESCRIPTION_HEADER + "".join(rows))
         return path
 
     return write
 
 
-def test_bands_with_all_parameters_follow_their_models(write_description, tmp_path):
+def test_segments_with_all_parameters_follow_their_models(write_description, tmp_path):
     (tmp_path / "points.csv").write_text("wavelength_nm,c1d_nm3\n66,234\n24,6.7\n7,0.095\n")
     path = write_description(
         "inf,1000,varying Hurst,5e9,2000,0.8,-0.1,",
@@ -67,22 +68,23 @@ def test_bands_with_all_parameters_follow_their_models(write_description, tmp_pa
         "50,7,profile,,,,,points.csv",
         "7,0.31,power law,,,0.5,,",
     )
-    density, bands, calibrated = substitute_spectra.spectrum_from_description(
+    density, segments, calibrated = substitute_spectra.spectrum_from_description(
         path, NO_TABLE1, WEIGHTS
     )
-    assert calibrated == [] and len(bands) == 5
+    assert calibrated == [] and len(segments) == 5
     table = Spectrum(WAVEVECTORS, density)
     q = 2 * np.pi / np.array([1500.0, 700.0, 200.0, 24.0])
     models = [
-        spectrum.varying_hurst(q[0], 5e9, 2000.0, 0.8, -0.1),
-        spectrum.self_affine(q[1], 5e9, 2000.0, 0.8),
-        spectrum.smooth_rolloff(q[2], 6.1e7, 930.0, 0.84),
+        spectral_models.varying_hurst(q[0], 5e9, 2000.0, 0.8, -0.1),
+        spectral_models.self_affine(q[1], 5e9, 2000.0, 0.8),
+        spectral_models.smooth_rolloff(q[2], 6.1e7, 930.0, 0.84),
     ]
     np.testing.assert_allclose(table(q)[:3], models, rtol=1e-3)
     points = np.array([66.0, 24.0, 7.0]), np.array([234.0, 6.7, 0.095])
     is_profile = (WAVEVECTORS > 2 * np.pi / 50) & (WAVEVECTORS < 2 * np.pi / 7)
     np.testing.assert_allclose(
-        density[is_profile], spectrum.isotropic_through_points(WAVEVECTORS, *points)[is_profile]
+        density[is_profile],
+        spectral_models.isotropic_through_points(WAVEVECTORS, *points)[is_profile],
     )
     tail = (WAVEVECTORS > 2 * np.pi / 7) & (WAVEVECTORS < 2 * np.pi / 0.33)
     slopes = np.diff(np.log(density[tail])) / np.diff(np.log(WAVEVECTORS[tail]))
@@ -121,7 +123,7 @@ def test_permitted_spectra_scatter_like_the_means_of_table_1(write_description):
     table1 = table1_rows("uncd")
     rows = list(substitute_spectra.AFM_ROWS)
     mean_errors = table1.uncertainty[rows] / np.sqrt(5)
-    weights = table1_calibration.paper_weights(CONSTANTS)
+    weights = table1_calibration.paper_scan_weights(CONSTANTS)
     path = write_description("inf,6.5,self-affine,,,,,")
     deviations = []
     for k in range(8):
@@ -157,7 +159,7 @@ RMS_METRICS = ("rms_height", "rms_gradient", "rms_half_laplacian")
 
 
 def test_expected_rms_values_agree_with_scans():
-    weights = table1_calibration.transfer_weights(1024, PIXEL, 256)
+    weights = table1_calibration.scan_rms_weights(1024, PIXEL, 256)
     rms_values = table1_calibration.expected_scan_rms(uncd_density, weights)
     squares = []
     for k in range(6):

@@ -7,7 +7,8 @@ import validate_prediction
 from known_spectra import contact_of_area, self_affine_spectrum
 
 from hardcontact.base.arrays import generator
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, spectral_moment, varying_hurst
+from hardcontact.surfaces.spectral_models import varying_hurst
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, spectral_moment
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.theory import prediction, validity
 from hardcontact.theory.closed_form import closed_form

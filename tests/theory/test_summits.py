@@ -8,7 +8,8 @@ from known_spectra import gaussian_spectrum, self_affine_spectrum
 from scipy import integrate, stats
 
 from hardcontact.base.arrays import generator
-from hardcontact.surfaces.spectrum import Spectrum, smooth_rolloff, spectral_moment
+from hardcontact.surfaces.spectral_models import smooth_rolloff
+from hardcontact.surfaces.spectrum import Spectrum, spectral_moment
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.theory import summits
 from hardcontact.theory.summits import search_size, spectrum_between

@@ -32,7 +32,7 @@ rule read_scan:
 
 
 rule measure_spectrum:
-    """Join the spectra of all scans of a measured surface, each within its reliable band."""
+    """Join the spectra of all scans of a measured surface, each at its reliable wavelengths."""
     input:
         measurements=lambda w: FILES.measurement_paths(w.surface),
     output:

@@ -12,7 +12,7 @@ from hardcontact.config.configuration import get_key
 from hardcontact.config.keys import SMOOTH_SPHERE
 from hardcontact.files.paths import SurfaceFiles
 from hardcontact.files.settings import MASTERS_PER_JOB, PURPOSES
-from hardcontact.surfaces.features import GAUSSIAN, SIGNS
+from hardcontact.surfaces.features import FEATURE_SIGNS, GAUSSIAN
 from hardcontact.surfaces.synthesis import SIDES
 
 #: Scans of a pool in one job: like MASTERS_PER_JOB, a trade-off of busy cores against starts.
@@ -89,8 +89,8 @@ class Chunks:
         surface = self._plan.featured_surface
         if surface is None:
             return []
-        set_candidates = ceil(self._study["sets"]["count"] / len(SIGNS))
-        counts = dict.fromkeys(SIGNS, set_candidates)
+        set_candidates = ceil(self._study["sets"]["count"] / len(FEATURE_SIGNS))
+        counts = dict.fromkeys(FEATURE_SIGNS, set_candidates)
         counts[GAUSSIAN] = min(set_candidates, CANDIDATES_PER_JOB)
         return [
             CandidateChunk(surface, kind, *span)

@@ -9,7 +9,7 @@ from hardcontact.base.units import path_token
 from hardcontact.config.keys import SMOOTH_SPHERE
 from hardcontact.config.study_plan import StudyPlan
 from hardcontact.files.settings import PURPOSES, settings_digest, store_kinds
-from hardcontact.surfaces.features import SURFACE_KINDS
+from hardcontact.surfaces.features import FEATURE_KINDS
 
 _SURFACE = "{surface}/{digest}"
 _SCAN = f"{_SURFACE}/scan-{{scan}}-{{shape}}.nc"
@@ -125,7 +125,7 @@ def wildcard_constraints(surfaces: Iterable[str]) -> dict[str, str]:
     rho = f"rho{_NUMBER}nm"
     return {
         "surface": any_name_pattern(surfaces),
-        "features": "|".join(SURFACE_KINDS),
+        "features": "|".join(FEATURE_KINDS),
         **dict.fromkeys(("scan", "first", "last", "realization"), r"\d+"),
         "shape": f"flat|sphere-R{_NUMBER}um",
         "side": "short|long",

@@ -20,9 +20,10 @@ from hardcontact.contact.force_interpolation import interpolate_forces
 from hardcontact.inference.published_fit import PublishedForces
 from hardcontact.paper.pool import smooth_sphere_forces
 from hardcontact.surfaces.features import (
-    SIGNS,
-    SURFACE_KINDS,
+    FEATURE_KINDS,
+    FEATURE_SIGNS,
     FeaturedSurface,
+    alternating_kind,
     sample_featured_scans,
 )
 from hardcontact.surfaces.levelling import level_plane
@@ -46,7 +47,7 @@ def compute_candidates(
     contact: Contact,
     ranges: list[float],
 ) -> xr.Dataset:
-    """Return features, roughness and forces of candidates of a kind: bumps, pits or gaussian.
+    """Return features, roughness and forces of candidates of one of FEATURE_KINDS.
 
     Forces (candidate, scan, contact_model, rho, contact_y, contact_x) of a smooth sphere are in N
     at 1 J/m², at ranges in nm.
@@ -66,7 +67,7 @@ def compute_candidates(
 def candidates_by_surface(
     chunks: Mapping[tuple[Any, ...], xr.Dataset],
 ) -> dict[str, dict[str, xr.Dataset]]:
-    """Return the candidates of each surface and kind, joined from chunks.
+    """Return the candidates of each surface and kind of features, joined from chunks.
 
     A chunk from `compute_candidates` has the key surface, kind, first and last candidate.
     """
@@ -79,8 +80,8 @@ def candidates_by_surface(
 def candidate_of_set(candidates: Mapping[str, xr.Dataset], set_number: int) -> xr.Dataset:
     """Return the candidate of a set alone: odd sets have bumps, even sets pits."""
     index = set_number - 1
-    kind = list(SIGNS)[index % len(SIGNS)]
-    return candidates[kind].isel(candidate=index // len(SIGNS), drop=True)
+    candidate = index // len(FEATURE_SIGNS)
+    return candidates[alternating_kind(index)].isel(candidate=candidate, drop=True)
 
 
 def compare_features(
@@ -143,9 +144,9 @@ def _candidate_statistics(
 
 def _empty_comparison() -> xr.Dataset:
     """Return the empty features.nc of a study without features."""
-    empty = ("features", "candidate"), np.empty((len(SURFACE_KINDS), 0))
+    empty = ("features", "candidate"), np.empty((len(FEATURE_KINDS), 0))
     return xr.Dataset(
         {name: (*empty, unit) for name, unit in CANDIDATE_STATISTICS.items()},
-        {"features": list(SURFACE_KINDS), "candidate": np.arange(0)},
+        {"features": list(FEATURE_KINDS), "candidate": np.arange(0)},
         {"surface": "", "label": "", "source": "substitute"},
     )

@@ -22,8 +22,8 @@ from hardcontact.surfaces.spectrum import (
     spectrum_of_dataset,
 )
 
-#: Ratio of the longest wavelength in a bin to the one at its centre; a decade has ten bins.
-HALF_BIN = 10**0.05
+#: Ratio of the longest wavelength in a bin to that at its centre; a decade has ten bins.
+HALF_BIN_RATIO = 10**0.05
 
 
 def combine_maps(rng: np.random.Generator, substrate: HeightMap, sphere: HeightMap) -> HeightMap:
@@ -96,8 +96,8 @@ def _limit_to_dominant(body: xr.Dataset, is_dominant: NDArray[np.bool_]) -> xr.D
         if not band.size or band.min() > wavelength[was_reliable[index]].min():
             limits[index] = OTHER_BODY
         if band.size:
-            shortest[index] = max(shortest[index], band.min() / HALF_BIN)
-            longest[index] = min(longest[index], band.max() * HALF_BIN)
+            shortest[index] = max(shortest[index], band.min() / HALF_BIN_RATIO)
+            longest[index] = min(longest[index], band.max() * HALF_BIN_RATIO)
     return body.assign(
         reliable=body["reliable"].copy(data=reliable.astype("int8")),
         shortest_reliable=body["shortest_reliable"].copy(data=shortest),

@@ -20,6 +20,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.scans.reliable_band import STEEPEST_SELF_AFFINE_SLOPE, ReliableBand
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.levelling import level_plane, squared_projections
+from hardcontact.surfaces.spectral_models import power_law_tail
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
     BIN_WIDTH,
@@ -27,7 +28,6 @@ from hardcontact.surfaces.spectrum import (
     MIN_BINS,
     WAVEVECTORS,
     Spectrum,
-    power_law_tail,
 )
 
 #: The largest rms gradient over all scales: that of UNCD with its uncertainty (1.17 + 0.28).

@@ -27,7 +27,7 @@ MAX_UNDEFINED_SHARE = 0.5
 MIN_STRIP_LENGTH = 2
 #: The largest mean slope: no tip follows 84 degrees, but heights from a wrong place are steeper.
 MAX_MEAN_SLOPE = 10
-#: Begins a note that is a caution.
+#: Prefix of a note that is a caution.
 TAKE_CARE = "take care: "
 #: How far points of a line scan may lie from uniform spacing, in spacings: files round positions.
 POSITION_ROUNDING = 0.05

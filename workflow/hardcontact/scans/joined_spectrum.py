@@ -59,7 +59,7 @@ class _MeasuredSpectra(NamedTuple):
 
 
 def _reliable_mask(densities: Floats, bands: Sequence[ReliableBand]) -> NDArray[np.bool_]:
-    """Return the mask (scan, bins) of nonempty bins within the band of each scan."""
+    """Return the mask (scan, bins) of nonempty bins within the reliable band of each scan."""
     return np.array([band.bins for band in bands]) & np.isfinite(densities)
 
 
@@ -85,7 +85,7 @@ def _measured_spectra(
 
 
 def joined_spectrum(scans: Sequence[HeightMap], tip_radii: Sequence[float | None]) -> xr.Dataset:
-    """Return the spectrum of a surface, joined from its levelled scans in their bands.
+    """Return the spectrum of a surface, joined from levelled scans at their reliable wavelengths.
 
     If a tip radius is None, the file may state one. ``spectrum`` (wavevector) in nm⁴ has all
     scales; ``joined_psd`` (bin_wavevector) is the smooth mean, NaN in unreliable bins. Raises
@@ -130,7 +130,7 @@ def sample_spectra(
     measured = _measured_spectra(scans, tip_radii)
     for rng in rngs:
         bands = [
-            _sample_band(rng, *properties)
+            _sample_reliable_band(rng, *properties)
             for properties in zip(scans, measured.radii, measured.bands, strict=True)
         ]
         reliable = _reliable_mask(measured.densities, bands)
@@ -149,10 +149,10 @@ def sample_spectra(
         yield Spectrum(WAVEVECTORS, density * np.exp(mean_log)), np.exp(log_power_factors / 2)
 
 
-def _sample_band(
+def _sample_reliable_band(
     rng: np.random.Generator, scan: HeightMap, radius: float | None, band: ReliableBand
 ) -> ReliableBand:
-    """Return the band of a scan; if the tip of a map is unknown, with a sampled tip radius."""
+    """Return the reliable band of a scan; a map with an unknown tip gets a sampled tip radius."""
     if radius is not None or scan.kind != "map":
         return band
     tip_radius = float(np.exp(rng.uniform(*np.log(UNKNOWN_TIP_RADII))))

@@ -84,7 +84,7 @@ def smooth_curve(
     posterior = np.linalg.inv(np.diag(weight) + bends.T @ bends)
     logs = np.log(np.where(weight > 0, density[bins], 1.0))
     curve = np.zeros(count)
-    if rng is not None:  # A prior sample plus the posterior mean of what it lacks.
+    if rng is not None:  # A prior sample, plus the posterior mean of its distance to the data.
         curve = BIN_WIDTH * np.cumsum(np.cumsum(slope_change * rng.standard_normal(count)))
         noise = np.where(weight > 0, np.sqrt(variance[bins]), 0.0)
         logs = logs - curve - noise * rng.standard_normal(count)
@@ -110,11 +110,11 @@ def match_height_variance(curve: Curve, power: Floats) -> Curve:
     power = power[np.isin(BIN_CENTRES, wavevector)]
     total = np.nansum(power * wavevector**2)
     share = np.where(np.isfinite(power), density * wavevector**2 / total, 0.0)
-    doubt = (variance - CALIBRATION_SCATTER**2) * share
+    direction = (variance - CALIBRATION_SCATTER**2) * share
 
-    def excess(strength: float) -> float:
-        return float((share * np.exp(strength * doubt)).sum() - 1)
+    def relative_excess(multiplier: float) -> float:
+        return float((share * np.exp(multiplier * direction)).sum() - 1)
 
-    bound = MAX_LOG_CHANGE / doubt.max()
-    strength = scipy.optimize.brentq(excess, -bound, bound)
-    return curve._replace(density=density * np.exp(strength * doubt))
+    bound = MAX_LOG_CHANGE / direction.max()
+    multiplier = scipy.optimize.brentq(relative_excess, -bound, bound)
+    return curve._replace(density=density * np.exp(multiplier * direction))

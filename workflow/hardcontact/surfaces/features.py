@@ -22,12 +22,11 @@ from hardcontact.surfaces.substitute_spectra import sample_permitted_spectrum
 from hardcontact.surfaces.substitutes import Substitute, required_targets
 from hardcontact.surfaces.synthesis import ScanGrid, random_surface, sample_scan
 
-#: Signs of the heights of features, by their names.
-SIGNS = {"bumps": 1, "pits": -1}
-#: Name of surfaces without features.
+#: Signs of the heights of features, by their kind.
+FEATURE_SIGNS = {"bumps": 1, "pits": -1}
+#: The kind of a surface without features.
 GAUSSIAN = "gaussian"
-#: All kinds of surfaces.
-SURFACE_KINDS = (*SIGNS, GAUSSIAN)
+FEATURE_KINDS = (*FEATURE_SIGNS, GAUSSIAN)
 #: Number of features per µm². These bounds and the next three are assumed; the prior is uniform in
 #: the logarithms within them. If densities began at 0.001, 15 % of the permitted bumps of polished
 #: UNCD would be rarer than 0.01.
@@ -47,6 +46,11 @@ MAX_BATCHES = 200
 #: Number of permitted samples, of which the nearest to Table 1 is taken: with so many, all its
 #: numbers are within half a standard error.
 PERMITTED_SAMPLES = 100
+
+
+def alternating_kind(index: int) -> str:
+    """Return bumps for an even index, pits for an odd one."""
+    return list(FEATURE_SIGNS)[index % len(FEATURE_SIGNS)]
 
 
 class ScanStatistics(NamedTuple):
@@ -177,8 +181,8 @@ class FeaturedSurface(NamedTuple):
     substitute: Substitute  #: Its spectrum is that of the base, before its factor.
     statistics: ScanStatistics
 
-    def sample_features(self, kind: str, scan_count: int, *names: object) -> Features:
-        """Sample the features of a surface of a kind: bumps, pits or gaussian.
+    def sample_features(self, kind: str, scan_count: int, *seed_words: object) -> Features:
+        """Sample the features of a surface, of one of FEATURE_KINDS.
 
         A Gaussian surface is the base alone, with the published rms height over all scales.
         """
@@ -186,8 +190,9 @@ class FeaturedSurface(NamedTuple):
             base_factor = self.statistics.all_rms_height / float(self.statistics.means[0])
             return Features(0.0, 0.0, np.nan, base_factor, (0,) * scan_count)
         grid = self.substitute.grid
-        rng = self.substitute.generator(kind, *names, "features")
-        return sample_permitted_features(rng, self.statistics, scan_count, grid, SIGNS[kind])
+        rng = self.substitute.generator(kind, *seed_words, "features")
+        sign = FEATURE_SIGNS[kind]
+        return sample_permitted_features(rng, self.statistics, scan_count, grid, sign)
 
     def describe(self, features: Features) -> dict[str, xr.Variable]:
         """Return features as variables of a dataset."""
@@ -232,7 +237,7 @@ def _whole_featured_surface(
     surface: FeaturedSurface, number: int, pixels: int, pixel_size: float
 ) -> HeightMap:
     """Sample a periodic surface; bumps if its number is odd, pits if it is even."""
-    kind = list(SIGNS)[(number - 1) % len(SIGNS)]
+    kind = alternating_kind(number - 1)
     scan_count = surface.statistics.scan_count
     features = surface.sample_features(kind, scan_count, number, "whole surface")
     substitute = surface.substitute
@@ -245,14 +250,14 @@ def _whole_featured_surface(
 
 
 def sample_featured_scans(
-    surface: FeaturedSurface, kind: str, scan_numbers: Sequence[int], *names: object
+    surface: FeaturedSurface, kind: str, scan_numbers: Sequence[int], *seed_words: object
 ) -> tuple[Features, list[HeightMap]]:
-    """Sample features of a kind, and scans with these features; `names` name random numbers."""
+    """Sample features of a kind, and scans with them; `seed_words` choose the random numbers."""
     substitute = surface.substitute
-    features = surface.sample_features(kind, len(scan_numbers), *names)
+    features = surface.sample_features(kind, len(scan_numbers), *seed_words)
     scans = []
     for scan_number, count in zip(scan_numbers, features.counts, strict=True):
-        rng = substitute.generator(kind, *names, scan_number, "featured scan")
+        rng = substitute.generator(kind, *seed_words, scan_number, "featured scan")
         base = sample_scan(rng, substitute.spectrum, substitute.grid, features.base_factor)
         scans.append(add_features(rng, base, features, count))
     return features, scans
@@ -267,7 +272,7 @@ def nearest_featured_scans(
     """
     choices = []
     for sample_number in range(PERMITTED_SAMPLES):
-        kind = list(SIGNS)[sample_number % len(SIGNS)]
+        kind = alternating_kind(sample_number)
         features = surface.sample_features(kind, len(scan_numbers), scan_numbers[0], sample_number)
         added = feature_squares(features.height, features.width, surface.substitute.grid.size)
         rms_values = featured_rms(features.base_factor, features.counts, added, surface.statistics)
@@ -282,7 +287,7 @@ def make_featured_scans(
 ) -> tuple[xr.Dataset, list[HeightMap]]:
     """Return a dataset on the features of the `nearest_featured_scans`, and these scans.
 
-    The scans meet the AFM rows of Table 1, which permits their features, within the uncertainty.
+    The scans meet the AFM rows of Table 1 within its uncertainty.
     """
     surface = featured_surface(substitute)
     features, scans = nearest_featured_scans(surface, scan_numbers)

@@ -155,7 +155,7 @@ def fill_streaks(heights: Floats) -> tuple[Floats, Mask]:
     is_filled = np.zeros(heights.shape, bool)
     for _ in range(MAX_FILLINGS):
         masks = (is_filled | streaks for streaks in find_streaks(filled_heights))
-        # A smaller mask is no progress: a width of two shows the middle of three lines for ever.
+        # Only a larger mask is progress: width 2 finds the middle of three lines again and again.
         larger_mask = next((mask for mask in masks if mask.sum() > is_filled.sum()), None)
         if larger_mask is None:
             break

@@ -11,25 +11,22 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.base.arrays import Floats
-from hardcontact.surfaces.spectrum import (
-    WAVEVECTORS,
-    Spectrum,
-    all_scales_rms,
+from hardcontact.surfaces.spectral_models import (
+    SPECTRAL_MODELS,
     isotropic_through_points,
     power_law_extrapolation,
     shares_of_longer_waves,
-    spectrum_dataset,
 )
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_rms, spectrum_dataset
 from hardcontact.surfaces.table1_calibration import (
     AFM_ROWS,
     CALIBRATION_ROWS,
-    SPECTRAL_MODELS,
     TAIL_ROWS,
     Weights,
     calibrate_model,
     calibrate_tail,
     expected_scan_rms,
-    paper_weights,
+    paper_scan_weights,
 )
 
 #: Columns of descriptions that hold numbers.
@@ -116,7 +113,7 @@ def sample_permitted_spectrum(
     ROLLOFF_FACTOR or its inverse. Raises ValueError if no sample can be calibrated.
     """
     segments = read_segments(description)
-    weights = paper_weights(constants)
+    weights = paper_scan_weights(constants)
     rows = list(AFM_ROWS)
     scan_count = constants["value"]["scans_per_surface"]
     is_free = segments.hurst.isna() & segments.model.isin(SPECTRAL_MODELS)
@@ -153,7 +150,7 @@ def substitute_spectrum(
 
     Its attributes are the segments, the calibrated rows of Table 1, and expected rms values.
     """
-    weights = paper_weights(constants)
+    weights = paper_scan_weights(constants)
     density, segments, calibrated = spectrum_from_description(description, table1, weights)
     return spectrum_dataset(density).assign_attrs(
         source="substitute",

@@ -20,7 +20,7 @@ from hardcontact.base.dataset import read_dataset
 from hardcontact.surfaces.metrics import TABLE1_METRICS
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
 from hardcontact.surfaces.synthesis import ScanGrid
-from hardcontact.surfaces.table1_calibration import AFM_ROWS, expected_scan_rms, transfer_weights
+from hardcontact.surfaces.table1_calibration import AFM_ROWS, expected_scan_rms, scan_rms_weights
 
 
 class Targets(NamedTuple):
@@ -68,7 +68,7 @@ class Substitute:
         rms_values = np.array(self.spectrum_data.attrs["expected_scan_rms"])
         if not same_pixels:
             # Waves up to four times the scan's width change its heights, although it is levelled.
-            weights = transfer_weights(4 * grid.pixels, grid.pixel_size, grid.pixels)
+            weights = scan_rms_weights(4 * grid.pixels, grid.pixel_size, grid.pixels)
             rms_values = expected_scan_rms(self.spectrum, weights)
         calibrated_rows = published.rows_met(self.spectrum_data.attrs["table1_rows_met"])
         is_published = dict(zip(AFM_ROWS, (same_size, same_pixels, same_pixels), strict=True))

@@ -5,7 +5,6 @@ is fitted to rms height, slope and curvature of the scans. A power law for short
 to slope and curvature over all scales.
 """
 
-from collections.abc import Callable
 from functools import cache
 from typing import Any
 
@@ -15,23 +14,9 @@ import scipy
 
 from hardcontact.base.arrays import Floats
 from hardcontact.surfaces.levelling import squared_projections
-from hardcontact.surfaces.spectrum import (
-    WAVEVECTORS,
-    Spectrum,
-    SpectrumFunction,
-    all_scales_rms,
-    power_law_tail,
-    self_affine,
-    smooth_rolloff,
-    varying_hurst,
-)
+from hardcontact.surfaces.spectral_models import SPECTRAL_MODELS, power_law_tail
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, SpectrumFunction, all_scales_rms
 
-#: Models in descriptions of substitutes (`resources/README.md`), with their parameter columns.
-SPECTRAL_MODELS: dict[str, tuple[Callable[..., Floats], tuple[str, ...]]] = {
-    "self-affine": (self_affine, ("plateau_nm4", "rolloff_nm", "hurst")),
-    "varying Hurst": (varying_hurst, ("plateau_nm4", "rolloff_nm", "hurst", "hurst_change")),
-    "smooth roll-off": (smooth_rolloff, ("plateau_nm4", "rolloff_nm", "hurst")),
-}
 #: Rows of Table 1 to which the spectrum of scans is fitted.
 AFM_ROWS = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
 #: Rows of Table 1 to which the tail at shorter wavelengths is fitted.
@@ -61,7 +46,7 @@ TAIL_HURST_BOUNDS = (-6.0, 5.0)
 
 
 @cache
-def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weights:
+def scan_rms_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weights:
     """Return wavevectors (bins,) and weights (3, bins) for the expected rms values of a scan.
 
     Squares of rms height, gradient and half-Laplacian are weights @ C_iso. The scan of
@@ -98,10 +83,10 @@ def expected_scan_rms(spectrum: SpectrumFunction, weights: Weights) -> Floats:
     return np.sqrt(factors @ spectrum(wavevector))
 
 
-def paper_weights(constants: pd.DataFrame) -> Weights:
-    """Return the `transfer_weights` of a scan with the paper's pixels and size."""
+def paper_scan_weights(constants: pd.DataFrame) -> Weights:
+    """Return the `scan_rms_weights` of a scan with the paper's pixels and size."""
     pixels = int(constants["value"]["scan_pixels"])
-    return transfer_weights(4 * pixels, constants["value"]["scan_size"] / pixels, pixels)
+    return scan_rms_weights(4 * pixels, constants["value"]["scan_size"] / pixels, pixels)
 
 
 def calibrate_model(segment: pd.Series, table1: pd.DataFrame, weights: Weights) -> dict[str, float]:

@@ -1,0 +1,84 @@
+"""Models of C_iso (nm⁴) over wavevectors (rad/nm), for the segments of a description."""
+
+from collections.abc import Callable
+
+import numpy as np
+import scipy
+
+from hardcontact.base.arrays import Floats
+from hardcontact.surfaces.spectrum import WAVEVECTORS
+
+
+def self_affine(wavevector: Floats, plateau: float, rolloff: float, hurst: float) -> Floats:
+    """Return C_iso: the plateau (nm⁴) above the roll-off (nm), ∝ q^(-2-2H) below it."""
+    return plateau * np.maximum(wavevector * rolloff / (2 * np.pi), 1.0) ** (-2 - 2 * hurst)
+
+
+def varying_hurst(
+    wavevector: Floats, plateau: float, rolloff: float, hurst: float, hurst_change: float
+) -> Floats:
+    """Return C_iso whose Hurst exponent changes linearly with the logarithm of wavelength.
+
+    C_iso = C_0 10^(-(2 + 2H) x - H' x²), x = log10(q/q_r), below the roll-off (nm); above, C_0.
+    """
+    decades = np.log10(np.maximum(wavevector * rolloff / (2 * np.pi), 1.0))
+    return np.asarray(plateau * 10 ** (-(2 + 2 * hurst) * decades - hurst_change * decades**2))
+
+
+def smooth_rolloff(wavevector: Floats, plateau: float, rolloff: float, hurst: float) -> Floats:
+    """Return C_iso: the plateau (nm⁴) times [1 + (q/q_r)²]^(-1-H), with the roll-off in nm."""
+    return plateau * (1 + (wavevector * rolloff / (2 * np.pi)) ** 2) ** (-1 - hurst)
+
+
+#: Models by their names in descriptions (`resources/README.md`), with their parameter columns.
+SPECTRAL_MODELS: dict[str, tuple[Callable[..., Floats], tuple[str, ...]]] = {
+    "self-affine": (self_affine, ("plateau_nm4", "rolloff_nm", "hurst")),
+    "varying Hurst": (varying_hurst, ("plateau_nm4", "rolloff_nm", "hurst", "hurst_change")),
+    "smooth roll-off": (smooth_rolloff, ("plateau_nm4", "rolloff_nm", "hurst")),
+}
+
+
+def power_law_extrapolation(density: Floats, hurst: float) -> Floats:
+    """Return C_iso ∝ q^(-2-2H) below the shortest wavelength of C_iso on WAVEVECTORS, else zero."""
+    if not density.any():
+        raise ValueError("power law: expected a segment at longer wavelengths, found none")
+    last_index = density.nonzero()[0][-1]
+    relative = WAVEVECTORS / WAVEVECTORS[last_index]
+    return np.where(relative > 1, density[last_index] * relative ** (-2 - 2 * hurst), 0.0)
+
+
+def shares_of_longer_waves(shortest: float) -> Floats:
+    """Return for each of WAVEVECTORS the share of its interval in ln q above a wavelength (nm)."""
+    step = np.log(WAVEVECTORS[1] / WAVEVECTORS[0])
+    distance_in_steps = np.log(2 * np.pi / (shortest * WAVEVECTORS)) / step
+    return np.asarray(np.clip(distance_in_steps + 0.5, 0, 1))
+
+
+def power_law_tail(density: Floats, hurst: float, shortest: float) -> Floats:
+    """Return the `power_law_extrapolation` down to a shortest wavelength (nm)."""
+    return power_law_extrapolation(density, hurst) * shares_of_longer_waves(shortest)
+
+
+def profile_over_isotropic(wavevector: Floats, hurst: float) -> Floats:
+    """Return the ratio C_1D/C_iso in 1/nm of an isotropic C_iso ∝ q^(-2-2H).
+
+    C_1D(q_x) = (1/pi) ∫_0^∞ C_iso(sqrt(q_x² + q_y²)) dq_y, in closed form for a power law.
+    """
+    numerator, denominator = scipy.special.gamma([hurst + 0.5, hurst + 1])
+    return np.asarray(wavevector / (2 * np.sqrt(np.pi)) * numerator / denominator)
+
+
+def isotropic_through_points(wavevector: Floats, wavelengths: Floats, profile: Floats) -> Floats:
+    """Return C_iso (nm⁴) through points of C_1D (nm³), converted with a fitted Hurst exponent."""
+    log_points = np.log(2 * np.pi / wavelengths)
+    log_profile = np.log(profile)
+    hurst = (-np.polyfit(log_points, log_profile, 1)[0] - 1) / 2
+    sort_indices = np.argsort(log_points)
+    log_points, log_profile = log_points[sort_indices], log_profile[sort_indices]
+    log_wavevector = np.log(wavevector)
+    # The first and the last segment are extrapolated beyond the points.
+    segment = np.clip(np.searchsorted(log_points, log_wavevector) - 1, 0, len(log_points) - 2)
+    slope = np.diff(log_profile)[segment] / np.diff(log_points)[segment]
+    log_distance = log_wavevector - log_points[segment]
+    profile_density: Floats = np.exp(log_profile[segment] + slope * log_distance)
+    return profile_density / profile_over_isotropic(wavevector, hurst)
