@@ -102,5 +102,8 @@ def test_files_without_a_spectrum_are_refused_in_one_line(tmp_path):
         assert_says(message, "from 0.1 nm to 100 µm", "found 0", f"{name} from 200 µm (4 pixels)")
         assert message.endswith("is the unit of length right?")
         assert len(message.splitlines()) == 1, message
-    message = refusal(read_own_spectrum, [tmp_path / "flat.nc", tmp_path / "none.csv"])
-    assert_says(message, "none.csv: expected one table, or scans alone")
+    (tmp_path / "table.csv").write_text("wavelength,wavelength_unit,c_iso,c_iso_unit\n")
+    message = refusal(read_own_spectrum, [tmp_path / "map.nc", tmp_path / "table.csv"])
+    assert_says(message, "table.csv: expected one table, or scans alone")
+    message = refusal(read_own_spectrum, [tmp_path / "none.csv", tmp_path / "map.nc"])
+    assert_says(message, "none.csv: expected a scan, found no such file")
