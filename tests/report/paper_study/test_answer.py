@@ -97,9 +97,10 @@ def test_the_headline_explains_an_undecided_long_edge_of_artificial_roughness(
     verdict, edge, explained
 ):
     rows = change_claim("long_edge_first", verdict=verdict, computed=edge)
-    headline = answer(rows)["headline"][0]
+    (line,) = [line for line in answer(rows)["headline"] if line.startswith("The long edge is")]
     end_of_sentence = ", because it rests on chance" if explained else "."
-    assert f"The long edge is {verdict}{end_of_sentence}" in headline
+    assert f"It is {verdict}{end_of_sentence}" in line
+    assert ("is likely too long" in line) == explained
 
 
 @pytest.mark.parametrize(("ends", "crossed"), [((0.8, 1.0), "0.9"), ((0.8, 1.2), "0.9 and 1.1")])
@@ -114,10 +115,10 @@ def test_the_headline_names_the_coatings_with_the_outermost_edges():
     edges = datasets()["edges"].copy(deep=True)
     for side, values in {"short": [53, 37, 66, 60], "long": [2000, 1800, 2800, 1900]}.items():
         edges["edge"].loc[{"side": side, "group": list(SUBSTRATES)}] = values
-    headline = " ".join(answer(edges=edges)["headline"])
-    short, _, long = headline.partition("; the outermost long edge is ")
-    assert f", on {LABELS[1]}" in short.rpartition("The outermost short edge is ")[2]
-    assert f", on {LABELS[2]}" in long.partition("Each is ")[0]
+    headline = answer(edges=edges)["headline"]
+    for side, label in (("short", LABELS[1]), ("long", LABELS[2])):
+        (line,) = [line for line in headline if line.startswith(f"The {side} edge is ")]
+        assert f", on {label}" in line
 
 
 @pytest.mark.parametrize(("published", "nearer"), [(1.8, "bumps"), (0.3, "pits")])
