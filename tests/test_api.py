@@ -1,4 +1,4 @@
-"""The functions for programs: oracles, the same numbers as the command, and their examples."""
+"""The functions for programs give direct sums and the numbers of the command; examples run."""
 
 import ast
 import doctest

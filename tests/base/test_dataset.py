@@ -1,4 +1,4 @@
-"""Datasets are written completely or not at all, and stacked along new dimensions."""
+"""Damaged datasets are refused; sound ones are stacked along new dimensions."""
 
 import numpy as np
 import pytest

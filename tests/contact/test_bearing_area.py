@@ -17,10 +17,10 @@ def test_contact_pixels_equal_those_of_the_whole_window(case, contact_pixel_coun
     pixels, pixel_size, rms, period, window = case
     roughness = periodic_noise(period, 0.5, 2) if rough else None
     bodies = make_bodies(periodic_noise(pixels, rms, 1), roughness, pixel_size, window, 3)
-    contacts = all_contact_pixels(bodies, contact_pixel_count)
-    for contact in np.ndindex(contacts.reference_gaps.shape[:2]):
-        gaps, offsets = contacts.reference_gaps[contact], contacts.offsets[contact]
-        window_gaps = gap_of_bodies(bodies, contact)
+    contact_pixels = all_contact_pixels(bodies, contact_pixel_count)
+    for index in np.ndindex(contact_pixels.reference_gaps.shape[:2]):
+        gaps, offsets = contact_pixels.reference_gaps[index], contact_pixels.offsets[index]
+        window_gaps = gap_of_bodies(bodies, index)
         np.testing.assert_allclose(
             gaps, np.sort(window_gaps.ravel())[:contact_pixel_count], atol=1e-9
         )

@@ -27,12 +27,12 @@ def bodies_of(case, rough):
 @pytest.mark.parametrize("rough", [False, True])
 def test_the_force_at_every_range_is_the_direct_sum(case, contact_pixel_count, rough):
     bodies, ranges = bodies_of(case, rough), [0.5, 2.0, 10.0]
-    contacts = all_contact_pixels(bodies, contact_pixel_count)
+    contact_pixels = all_contact_pixels(bodies, contact_pixel_count)
     counts = [contact_pixel_count, 1]
-    totals = attraction_sums(bodies, contacts, counts, ranges)
-    for contact in np.ndindex(contacts.reference_gaps.shape[:2]):
-        gap = gap_of_bodies(bodies, contact)
-        sums = totals[..., *contact].flat
+    totals = attraction_sums(bodies, contact_pixels, counts, ranges)
+    for index in np.ndindex(contact_pixels.reference_gaps.shape[:2]):
+        gap = gap_of_bodies(bodies, index)
+        sums = totals[..., *index].flat
         for (count, rho), total in zip(product(counts, ranges), sums, strict=True):
             assert total == pytest.approx(direct_total(gap, count, rho), rel=1e-9)
 
@@ -42,20 +42,20 @@ def test_the_force_at_every_range_is_the_direct_sum(case, contact_pixel_count, r
 def test_the_force_keeps_its_digits_if_little_attracts_outside_contact(case, rough):
     # At a small range the other pixels attract many orders less than the contact pixels.
     bodies, rho = bodies_of(case, rough), 0.1
-    contacts = all_contact_pixels(bodies, 17)
-    (sums,) = outside_sums(bodies, contacts, [rho])
-    for contact in np.ndindex(sums.shape):
-        ordered = np.sort(gap_of_bodies(bodies, contact), axis=None)
+    contact_pixels = all_contact_pixels(bodies, 17)
+    (sums,) = outside_sums(bodies, contact_pixels, [rho])
+    for index in np.ndindex(sums.shape):
+        ordered = np.sort(gap_of_bodies(bodies, index), axis=None)
         direct_sum = np.exp((ordered[16] - ordered[17:]) / rho).sum()
-        assert sums[contact] == pytest.approx(direct_sum, rel=1e-9)
+        assert sums[index] == pytest.approx(direct_sum, rel=1e-9)
 
 
 @pytest.mark.parametrize("rough", [False, True])
 def test_the_force_at_a_range_does_not_depend_on_the_other_ranges(rough):
     bodies, ranges = bodies_of(MAP_CASES[2], rough), [0.35, 20.0, 0.7, 1.4, 5.0, 2.8, 5.6, 10.0]
-    contacts = all_contact_pixels(bodies, 17)
-    for rho, sums in zip(ranges, outside_sums(bodies, contacts, ranges), strict=True):
-        np.testing.assert_allclose(sums, outside_sums(bodies, contacts, [rho])[0], rtol=1e-12)
+    contact_pixels = all_contact_pixels(bodies, 17)
+    for rho, sums in zip(ranges, outside_sums(bodies, contact_pixels, ranges), strict=True):
+        np.testing.assert_allclose(sums, outside_sums(bodies, contact_pixels, [rho])[0], rtol=1e-12)
 
 
 @pytest.mark.parametrize(("raised", "penetration"), [(0.99, 0.5), (0.5, 0.99), (0.99, 0.99)])
@@ -73,9 +73,9 @@ def test_contact_pixels_are_subtracted_exactly_at_the_ends_of_its_use(
     bodies = make_bodies(heights, None, pixel_size, 40, 1)
     (position,) = bodies.geometry.positions
     heights[:] = np.roll(heights, position - 12, axis=(0, 1))
-    contacts = all_contact_pixels(bodies, 4)
-    gaps = contacts.reference_gaps[0, 0]
+    contact_pixels = all_contact_pixels(bodies, 4)
+    gaps = contact_pixels.reference_gaps[0, 0]
     assert gaps[-1] - gaps[0] > 0.9 * penetration * max_penetration * rho
     assert gaps[-1] + heights.max() > 0.9 * raised * max_depth * rho
-    total = attraction_sums(bodies, contacts, [4], [rho]).item()
+    total = attraction_sums(bodies, contact_pixels, [4], [rho]).item()
     assert total == pytest.approx(direct_total(gap_of_bodies(bodies, (0, 0)), 4, rho), rel=error)

@@ -22,22 +22,23 @@ def rough_bodies(seed=1):
 
 
 def test_the_pull_off_force_of_two_bodies_is_the_direct_sum_at_every_contact_and_range():
-    arrays, bodies = pull_off_dataset(rough_bodies(), CONTACT, RHOS), rough_bodies()
-    forces = arrays["pull_off_force"].values
-    apex_heights = arrays["apex_height"].values
+    bodies = rough_bodies()
+    dataset = pull_off_dataset(bodies, CONTACT, RHOS)
+    forces = dataset["pull_off_force"].values
+    apex_heights = dataset["apex_height"].values
     count = CONTACT.pixel_count(8.0)
     assert forces.shape == (2, 2, 3, 3) and count == 7
-    assert arrays["contact_pixel_count"].values.tolist() == [1, count]
-    for contact in np.ndindex(3, 3):
-        gap = gap_of_bodies(bodies, contact)
+    assert dataset["contact_pixel_count"].values.tolist() == [1, count]
+    for index in np.ndindex(3, 3):
+        gap = gap_of_bodies(bodies, index)
         for model, contact_pixel_count in enumerate((1, count)):
             ordered = np.sort(gap, axis=None)
-            assert apex_heights[model][contact] == pytest.approx(
+            assert apex_heights[model][index] == pytest.approx(
                 -ordered[contact_pixel_count - 1], abs=1e-9
             )
             for k, rho in enumerate(RHOS):
                 direct_sum = direct_force(gap, contact_pixel_count, rho, 8.0)
-                assert forces[model, k][contact] == pytest.approx(direct_sum, rel=1e-9)
+                assert forces[model, k][index] == pytest.approx(direct_sum, rel=1e-9)
 
 
 def test_the_change_by_a_wider_window_matches_the_direct_sum():
@@ -47,9 +48,9 @@ def test_the_change_by_a_wider_window_matches_the_direct_sum():
         wider_bodies = replace(
             narrow_bodies, geometry=replace(narrow_bodies.geometry, window_pixels=320 + 2 * 128)
         )
-        for contact in np.ndindex(3, 3):
+        for index in np.ndindex(3, 3):
             narrow, wide = (
-                direct_total(gap_of_bodies(bodies, contact), count, rho)
+                direct_total(gap_of_bodies(bodies, index), count, rho)
                 for bodies in (narrow_bodies, wider_bodies)
             )
             changes.append(abs(wide / narrow - 1))
@@ -73,8 +74,8 @@ def test_finer_pixels_change_only_the_contact_area_at_a_small_range(pixels, area
 
 def test_a_traced_contact_has_the_force_of_its_bodies():
     traced = trace_contact(rough_bodies(), (1, 2), CONTACT)
-    arrays = pull_off_dataset(rough_bodies(), CONTACT, [5.6])
-    force = 46.3e-3 * arrays["pull_off_force"].values[1, 0, 1, 2]
+    dataset = pull_off_dataset(rough_bodies(), CONTACT, [5.6])
+    force = 46.3e-3 * dataset["pull_off_force"].values[1, 0, 1, 2]
     assert traced.attrs["pull_off_force"] == pytest.approx(force, rel=1e-9)
     gap, pressure = (traced[name].values for name in ("gap", "adhesive_pressure"))
     assert gap.shape == pressure.shape == (320, 320)

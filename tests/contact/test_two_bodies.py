@@ -22,9 +22,9 @@ def test_indents_of_scans_equal_those_of_each_pair():
     indents = indents_of_scans(substrates, spheres, CONTACT, [10e-6, 40e-6])
     assert {name: indents.depth.sizes[name] for name in indents.depth.dims} == SHAPE
     bodies = join_bodies(substrates[4], spheres[2], CONTACT)
-    contacts = all_contact_pixels(bodies, replace(CONTACT, preload=40e-6).pixel_count(8.0))
+    contact_pixels = all_contact_pixels(bodies, replace(CONTACT, preload=40e-6).pixel_count(8.0))
     depth = indents.depth.sel(scan=4, sphere_scan=2, preload=40e-6).values
-    expected_depth = contacts.reference_gaps[..., -1] - contacts.reference_gaps[..., 0]
+    expected_depth = contact_pixels.reference_gaps[..., -1] - contact_pixels.reference_gaps[..., 0]
     np.testing.assert_allclose(depth, expected_depth, rtol=0, atol=1e-12)
     # The indents drawn are of a contact whose depth is the median of all.
     drawn_depth = indents.indentation.sel(preload=40e-6)

@@ -23,12 +23,12 @@ def gap_to_sphere(heights, position, pixels, pixel_size, radius, roughness=None)
     return gap
 
 
-def gap_of_bodies(bodies, contact):
-    """Return the gap (nm) in the window of one contact, given by its indices in the array."""
+def gap_of_bodies(bodies, index):
+    """Return the gap (nm) in the window of the contact at an index (row, column) of the array."""
     geometry, sphere = bodies.geometry, bodies.sphere_roughness
     return gap_to_sphere(
         bodies.substrate.heights,
-        geometry.positions[list(contact)],
+        geometry.positions[list(index)],
         geometry.window_pixels,
         geometry.pixel_size,
         geometry.radius,

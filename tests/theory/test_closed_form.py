@@ -41,10 +41,10 @@ def test_both_terms_equal_the_integral_over_gaps_and_heights(sigma, m, rho):
     assert both_terms == pytest.approx(force, rel=3e-4)
 
 
-def test_the_first_term_freezes_at_short_range():
+def test_the_surface_term_has_its_asymptote_at_short_range():
     sigma, m, rho = 100.0, 300.0, 0.5
-    frozen = stats.norm.pdf(m / sigma) / (sigma / rho - m / sigma)
-    assert surface_term(m / sigma, sigma / rho) == pytest.approx(frozen, rel=1e-3)
+    asymptote = stats.norm.pdf(m / sigma) / (sigma / rho - m / sigma)
+    assert surface_term(m / sigma, sigma / rho) == pytest.approx(asymptote, rel=1e-3)
 
 
 def test_without_roughness_the_closed_form_is_the_force_of_a_smooth_sphere():

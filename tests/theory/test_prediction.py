@@ -45,10 +45,10 @@ def test_the_table_repeats_the_design_and_the_closed_form():
 def test_intervals_contain_nine_tenths_of_the_other_half(name):
     """Nine of ten, fewer by chance and at the border of the set: three quarters or more."""
     table = TABLE[TABLE["held_out"] == 0]
-    closed_edges = table[table.get(f"{name}_status", pd.Series("found", table.index)) == "found"]
-    closed_edges = closed_edges.dropna(subset=f"predicted_{name}")
+    found_edges = table[table.get(f"{name}_status", pd.Series("found", table.index)) == "found"]
+    found_edges = found_edges.dropna(subset=f"predicted_{name}")
     is_inside = []
-    for _, row in closed_edges.iterrows():
+    for _, row in found_edges.iterrows():
         low, high = validity.nearest_ratios(row, name)
         is_inside.append(low <= row[name] / row[f"predicted_{name}"] <= high)
     assert 0.75 < np.mean(is_inside) <= 1

@@ -15,7 +15,7 @@ from hardcontact.theory import summits
 from hardcontact.theory.summits import search_size, spectrum_between
 
 RADIUS = 250e3
-#: Radius of a sphere so flat that its highest summits obey the laws of high apex.
+#: Radius of a sphere so flat that its highest summits obey the laws of high levels.
 FLAT = 1e9
 
 
@@ -54,9 +54,8 @@ def test_short_waves_of_no_height_make_no_summits():
     fine = np.where(q > 2 * np.pi / 3, 2 * np.pi * 0.1**2 / np.pi / (q[-1] / 3) ** 2, 0)
     all_waves = full_band(Spectrum(q, long + fine))
     long_waves = full_band(Spectrum(q, long + 1e-9))
-    assert spectral_moment(all_waves, 2) > 1.5 * spectral_moment(
-        long_waves, 2
-    )  # slopes would count many maxima
+    # By its slopes the surface has many maxima.
+    assert spectral_moment(all_waves, 2) > 1.5 * spectral_moment(long_waves, 2)
     assert summits.summit_half_width(all_waves, [3.5]) == pytest.approx(
         summits.summit_half_width(long_waves, [3.5]), rel=0.01
     )
@@ -102,9 +101,8 @@ def test_the_highest_point_matches_random_surfaces():
         (random_surface(generator(3, k), pixels, 10.0, spectrum).heights - sphere).max()
         for k in range(120)
     ]
-    mean_height = summits.apex_distribution(spectrum_on_map, radius, 0.0).mean() * np.sqrt(
-        spectral_moment(spectrum_on_map, 0)
-    )
+    mean_level = summits.apex_distribution(spectrum_on_map, radius, 0.0).mean()
+    mean_height = mean_level * np.sqrt(spectral_moment(spectrum_on_map, 0))
     assert mean_height == pytest.approx(np.mean(highest), rel=0.08)
 
 
@@ -113,9 +111,8 @@ def test_a_sphere_follows_waves_flatter_than_itself():
     rough_spectrum = summits.find_rough_spectrum(spectrum, RADIUS)
     assert rough_spectrum.wavevector[0] > 10 * spectrum.wavevector[0]
     followed_spectrum = spectrum_between(spectrum, 0, rough_spectrum.wavevector[0])
-    assert np.sqrt(spectral_moment(followed_spectrum, 4)) / 2 == pytest.approx(
-        0.1 / RADIUS, rel=0.01
-    )
+    curvature = np.sqrt(spectral_moment(followed_spectrum, 4)) / 2
+    assert curvature == pytest.approx(0.1 / RADIUS, rel=0.01)
     assert summits.find_rough_spectrum(spectrum, 1.0) is None
     smooth = Spectrum(spectrum.wavevector, 0 * spectrum.density)
     assert summits.find_rough_spectrum(smooth, RADIUS) is None

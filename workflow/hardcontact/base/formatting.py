@@ -155,13 +155,13 @@ def is_unbounded(value: float, low: float, high: float, unit: str) -> bool:
     return far > MAX_END_RATIO * near
 
 
-def format_share(share: float, form: str = "g") -> str:
+def format_share(share: float) -> str:
     """Return a share in percent: 0.95 is "95 %"."""
-    return f"{100 * share:{form}} %"
+    return f"{100 * share:g} %"
 
 
-def format_estimate(estimate: Mapping[str, float], form: str) -> str:
+def format_estimate(estimate: Mapping[str, float], format_spec: str) -> str:
     """Return `value`, `low`, `high` as "0.056 [0.045, 0.068]", or the value if an end is NaN."""
-    value, low, high = (f"{estimate[name]:{form}}" for name in ("value", "low", "high"))
+    value, low, high = (f"{estimate[name]:{format_spec}}" for name in ("value", "low", "high"))
     is_bounded = math.isfinite(estimate["low"] + estimate["high"])
     return f"{value} [{low}, {high}]" if is_bounded else value

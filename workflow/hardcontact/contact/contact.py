@@ -1,4 +1,4 @@
-"""A contact: sphere, loading, adhesion and array, which all contacts of a computation share."""
+"""The inputs of contacts, and the names of contact models and of the axes of arrays of contacts."""
 
 import math
 from dataclasses import dataclass

@@ -73,17 +73,18 @@ def prediction(
         reliable_force = _reliable_force(scans, contact, tolerance, name)
         checks.append(reliable_force)
         assumptions_hold &= reliable_force.status == Validity.INSIDE
-    extrapolated: list[Number] = []
-    change = Number("extrapolated_change", math.nan, status=Effect.NEGLIGIBLE)
     extrapolation = _extrapolate(spectrum, trimmed)
-    if extrapolation is None and spectrum.density[-1] > 0:
-        change = change._replace(status=Effect.UNKNOWN)
-    elif extrapolation is not None and _adds_waves(extrapolation, trimmed):
+    extrapolated: list[Number] = []
+    if extrapolation is not None and _adds_waves(extrapolation, trimmed):
         extrapolated = _extrapolated_numbers(extrapolation, contact, tolerance, assumptions_hold)
         change = _force_change("extrapolated_change", extrapolated[0].value, form)
+    else:
+        is_unknown = extrapolation is None and spectrum.density[-1] > 0
+        status = Effect.UNKNOWN if is_unknown else Effect.NEGLIGIBLE
+        change = Number("extrapolated_change", math.nan, status=status)
+    assumptions_hold &= change.status == Effect.NEGLIGIBLE
     point = table_point(trimmed, contact, form)
-    is_complete = change.status == Effect.NEGLIGIBLE
-    known_point = point if assumptions_hold and is_complete and is_validated(point) else None
+    known_point = point if assumptions_hold and is_validated(point) else None
     return numbers_by_name(
         *inputs,
         _force_number("closed_form_force", form, known_point),
@@ -196,7 +197,7 @@ class _Extrapolation(NamedTuple):
     """A spectrum that is extrapolated to short waves, and to long waves up to a roll-off."""
 
     density: Floats  #: C_iso in nm⁴ at WAVEVECTORS, constant above the roll-off.
-    rolloff: float  #: Roll-off in nm; the longest given wavelength for a table.
+    rolloff: float  #: Roll-off in nm; for a table its longest wavelength.
     hurst: float  #: Hurst exponent of the extrapolated short waves; NaN if there are none.
     ended_by: str  #: What ends the extrapolated short waves: `Tail.tail_ended_by`.
 
