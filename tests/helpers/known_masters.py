@@ -25,12 +25,12 @@ def master_ratios(ratios, cutoffs, surfaces=None, shortest=1.0):
     )  # fmt: skip
 
 
-def filtered_forces(curves, spread=0.0, realizations=3, seed=0, count=4):
+def filtered_forces(curves, spread=0.0):
     """Return forces of known ratios (surface, side, cutoff), with scatter over contacts."""
-    rng = np.random.default_rng(seed)
+    rng = np.random.default_rng(0)
     curves = np.array(curves)
-    shape = (len(curves), realizations, 2, 1, count, count)
-    unfiltered = np.exp(0.3 * rng.standard_normal((*shape[:3], count, count)))
+    shape = (len(curves), 3, 2, 1, 4, 4)
+    unfiltered = np.exp(0.3 * rng.standard_normal((*shape[:3], *shape[4:])))
     factor = np.exp(spread * rng.standard_normal(shape[:4] + (1, 1)))
     factor = factor * np.exp(0.5 * spread * rng.standard_normal(shape))
     grows = np.where(np.isnan(curves), 1, np.log(curves))[:, None, :, :, None, None]
@@ -51,7 +51,7 @@ def filtered_forces(curves, spread=0.0, realizations=3, seed=0, count=4):
         {
             "surface": list("ab"[: len(curves)]),
             "side": ["short", "long"],
-            "realization": np.arange(1, realizations + 1),
+            "realization": [1, 2, 3],
             "cutoff_wavelength": CUTOFFS,
         },
         {"rho": 5.0, "sphere_radius": 5e3},

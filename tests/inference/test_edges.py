@@ -7,7 +7,7 @@ from measurements import UNCD
 
 import hardcontact as hc
 from hardcontact.base.arrays import generator
-from hardcontact.inference.edges import CUTOFF, edge_intervals, find_edges, show_ripples
+from hardcontact.inference.edges import CUTOFF, edge_intervals, find_edges, find_ripples
 from hardcontact.surfaces.synthesis import random_surface
 
 CUTOFFS = np.array([10.0, 100.0, 1000.0])
@@ -86,7 +86,7 @@ def test_the_bracket_holds_the_edge_of_a_curve_that_is_not_straight(spread):
 )
 def test_a_force_that_falls_without_short_waves_shows_ripples(side, ratio, ripples):
     cutoffs = CUTOFFS if side == "short" else CUTOFFS[::-1]
-    assert show_ripples(make_curve(side, cutoffs, np.log(ratio)), LIMITS) == ripples
+    assert find_ripples(make_curve(side, cutoffs, np.log(ratio)), LIMITS) == ripples
 
 
 def test_pillars_have_no_short_edge_and_a_gaussian_surface_has_one():

@@ -9,9 +9,9 @@ from hardcontact.inference.edges_of_scans import edges_of_scans
 from hardcontact.inference.mean_forces import MasterScans
 
 
-def edges(curves, scans, hindcast=None, **options):
+def edges(curves, scans, hindcast=None, spread=0.0):
     return edges_of_scans(
-        filtered_forces(curves, **options),
+        filtered_forces(curves, spread),
         hindcast,
         MasterScans({"a": scans[0], "b": scans[-1]}, 2, {"a": 99, "b": 99}),
         0.1,

@@ -10,9 +10,9 @@ from known_forces import FORCE_DIMS
 from hardcontact.base.statistics import Sampling, interval_ends
 from hardcontact.inference.measured_fit import add_extrapolated_work, fit_measured
 from hardcontact.inference.measured_forces import (
-    MeasuredForces,
+    ForceSummary,
     look_repeated,
-    sampled_means,
+    sample_measured_mean,
     summarize_forces,
 )
 
@@ -45,8 +45,8 @@ def adhesion(rng, scans=5, spread=0.2, contact_spread=0.3):
     )
 
 
-def sampled_tests(rng, count=40, log_std=0.6, surfaces="ab"):
-    """Single tests, log-normal about the forces of RHO and WORK."""
+def force_table(rng, count=40, log_std=0.6, surfaces="ab"):
+    """Measured forces, log-normal about the forces of RHO and WORK."""
     scatter = [np.exp(log_std * rng.standard_normal(count) - log_std**2 / 2) for _ in surfaces]
     rows = [
         (surface, force, force, 1, "")
@@ -56,16 +56,16 @@ def sampled_tests(rng, count=40, log_std=0.6, surfaces="ab"):
     return pd.DataFrame(rows, columns=COLUMNS)
 
 
-def fitted(computed_forces, tests, factor=1.0):
+def fitted(computed_forces, table, factor=1.0):
     sizes = {"a": 2500.0, "b": 2500.0}
     factors = dict.fromkeys(sizes, factor)
-    fit = fit_measured(computed_forces, tests, sizes, factors, Sampling(1, 1000, 0.95))
+    fit = fit_measured(computed_forces, table, sizes, factors, Sampling(1, 1000, 0.95))
     return fit.sel(contact_model="plastic")
 
 
 def sampled_fit(seed, **options):
     rng = np.random.default_rng(seed)
-    return fitted(adhesion(rng, **options), sampled_tests(rng))
+    return fitted(adhesion(rng, **options), force_table(rng))
 
 
 def holds(fit, rho=RHO, work=WORK):
@@ -76,7 +76,7 @@ def holds(fit, rho=RHO, work=WORK):
 def test_without_scatter_range_and_work_are_recovered():
     rng = np.random.default_rng(0)
     exact = adhesion(rng, spread=1e-4, contact_spread=1e-4)
-    fit = fitted(exact, sampled_tests(rng, count=400, log_std=0.01))
+    fit = fitted(exact, force_table(rng, count=400, log_std=0.01))
     assert float(fit.range_of_adhesion) == pytest.approx(RHO, rel=0.02)
     assert float(fit.work_of_adhesion) == pytest.approx(WORK, rel=0.02)
     for true_value, (low, high) in ((RHO, fit.region_range.values), (WORK, fit.region_work.values)):
@@ -96,25 +96,25 @@ def test_the_region_contains_the_true_pair_in_nineteen_of_twenty_draws_and_no_di
 
 def test_finer_pixels_raise_the_upper_end_of_the_work_alone():
     rng = np.random.default_rng(5)
-    computed_forces, tests = adhesion(rng), sampled_tests(rng)
-    low, high = interval_ends(fitted(computed_forces, tests), "work_by_range")
-    low_with, high_with = interval_ends(fitted(computed_forces, tests, factor=2.0), "work_by_range")
+    computed_forces, table = adhesion(rng), force_table(rng)
+    low, high = interval_ends(fitted(computed_forces, table), "work_by_range")
+    low_with, high_with = interval_ends(fitted(computed_forces, table, factor=2.0), "work_by_range")
     np.testing.assert_allclose(low_with, low)
     np.testing.assert_allclose(high_with, 2 * high)
 
 
 def test_two_forces_fit_two_unknowns_by_construction():
     rng = np.random.default_rng(0)
-    tests, fit = sampled_tests(rng), sampled_fit(0)
+    table, fit = force_table(rng), sampled_fit(0)
     assert fit.exact_pairs == 1 and fit.best_error.isnull() and fit.range_of_adhesion.notnull()
-    weak_tests = tests.assign(mean=tests["mean"] * np.where(tests.surface == "a", 1e4, 1))
-    fit = fitted(adhesion(rng), weak_tests)
+    changed_table = table.assign(mean=table["mean"] * np.where(table.surface == "a", 1e4, 1))
+    fit = fitted(adhesion(rng), changed_table)
     assert fit.exact_pairs == 0 and fit.best_error > 0.1  # no range has this ratio of forces
 
 
 def test_one_surface_gives_a_curve_of_works_and_no_range():
     rng = np.random.default_rng(5)
-    fit = fitted(adhesion(rng), sampled_tests(rng, surfaces="a"))
+    fit = fitted(adhesion(rng), force_table(rng, surfaces="a"))
     true_work = WORK * mean_force("a", RHO) / mean_force("a", fit.rho_fine)
     low, high = fit.work_by_range_interval.sel(surface="a").transpose("end", "rho_fine")
     assert ((low < true_work) & (true_work < high)).all()
@@ -124,7 +124,7 @@ def test_one_surface_gives_a_curve_of_works_and_no_range():
 @pytest.mark.parametrize(
     ("range_count", "force_count", "factor", "is_known"),
     [
-        (6, 1, 1, [False, False]),  # a single test a surface: no scatter, no interval
+        (6, 1, 1, [False, False]),  # a single force a surface: no scatter, no interval
         (6, 40, 1e3, [False, False]),  # forces that no range explains
         (4, 40, 1, [True, False]),  # a range at the end of those computed is no limit
     ],
@@ -132,9 +132,9 @@ def test_one_surface_gives_a_curve_of_works_and_no_range():
 def test_an_unknown_region_has_no_work(range_count, force_count, factor, is_known):
     rng = np.random.default_rng(8)
     computed_forces = adhesion(rng).sel(rho=RHOS[:range_count])
-    tests = sampled_tests(rng, force_count)
-    tests.loc[tests.surface == "b", ["mean", "median"]] *= factor
-    fit = fitted(computed_forces, tests)
+    table = force_table(rng, force_count)
+    table.loc[table.surface == "b", ["mean", "median"]] *= factor
+    fit = fitted(computed_forces, table)
     assert fit.region_range.notnull().values.tolist() == is_known and fit.region_work.isnull().all()
     assert fit.work_by_range.notnull().all()
     assert fit.work_by_range_interval.notnull().all() == (force_count > 1)
@@ -143,7 +143,7 @@ def test_an_unknown_region_has_no_work(range_count, force_count, factor, is_know
 # Mean and scatter
 
 
-def test_a_summary_is_equivalent_to_its_single_tests():
+def test_a_summary_is_equivalent_to_its_single_forces():
     forces = np.exp(0.7 * np.random.default_rng(1).standard_normal(4000)) * 1e-7
     rows = [("a", force, force, 1, "") for force in forces]
     single = summarize_forces(pd.DataFrame(rows, columns=COLUMNS))
@@ -153,7 +153,7 @@ def test_a_summary_is_equivalent_to_its_single_tests():
 
 
 def repeated_forces(seed):
-    """Forces (5 sites, 40 tests) that scatter between sites, but hardly at one of them."""
+    """Forces (5 sites, 40 at each) that scatter between sites, but hardly at one of them."""
     rng = np.random.default_rng(seed)
     between = np.exp(0.6 * rng.standard_normal((5, 1)))
     return between * np.exp(0.01 * rng.standard_normal((5, 40)))
@@ -186,8 +186,8 @@ def test_sampled_means_cover_the_mean_with_their_confidence(log_std, count):
     rng, contained = np.random.default_rng(3), []
     for _ in range(300):
         forces = np.exp(log_std * rng.standard_normal(count))
-        summary = MeasuredForces(forces.mean(), np.log(forces).std(ddof=1), count, count)
-        low, high = np.percentile(sampled_means(rng, summary, 400), [5, 95])
+        summary = ForceSummary(forces.mean(), np.log(forces).std(ddof=1), count, count)
+        low, high = np.percentile(sample_measured_mean(rng, summary, 400), [5, 95])
         contained.append(low < np.exp(log_std**2 / 2) < high)
     assert np.mean(contained) > 0.85
 

@@ -150,8 +150,8 @@ def test_forces_are_bounded_by_that_of_a_smooth_sphere():
 MASTERS = MasterScans({"a": 1}, 2, {"a": 99})
 
 
-def master_forces(**options):
-    return filtered_forces([[SHORT, LONG]], **options).assign(transition=("side", [20.0, 4e3]))
+def master_forces():
+    return filtered_forces([[SHORT, LONG]]).assign(transition=("side", [20.0, 4e3]))
 
 
 def test_the_extrapolated_force_is_the_mean_over_contacts_and_masters():

@@ -44,8 +44,8 @@ def find_edges(
     """Return ``edge``, ``edge_bound`` (...) in nm and ``edge_status`` of curves.
 
     A curve is linear in the logarithm of the cutoff, and zero at its spectrum end (nm), if known,
-    where nothing is removed. An edge is open, NaN, if no value or the first one is outside the
-    limits; it then lies beyond its bound.
+    because nothing is removed there. An edge is open if no value is outside the limits, or if the
+    first one is and the spectrum end is not known. It is then NaN, and lies beyond its bound.
     """
     lower, upper = limits
     # Variables have no labels, because aligning labels would take most of the time.
@@ -92,9 +92,9 @@ def edge_intervals(
 ) -> xr.Variable:
     """Return the cutoffs (..., end) in nm between which edges lie, from intervals of curves.
 
-    An edge lies between the last cutoff before an interval reaches beyond the limits, and the first
-    cutoff with an interval wholly outside. NaN for an end beyond the cutoffs, if the first interval
-    is wholly outside, or without intervals.
+    They are the last cutoff before an interval reaches beyond the limits, and the first cutoff with
+    an interval wholly outside. An end is NaN if it lies beyond the cutoffs. Both are NaN if the
+    first interval is wholly outside, or if intervals are missing.
     """
     lower, upper = limits
     low, high = lowest.variable, highest.variable
@@ -121,20 +121,20 @@ def edges_of_ratios(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
     edges = find_edges(curves, limits)
     if "filtered_force_ratio_interval" in ratios:
         interval = ratios["filtered_force_ratio_interval"]
-        # If only some ratios have no interval, they are equal in all parts: zero width.
+        # If only some ratios lack an interval, all parts of scans have the same: zero width.
         interval = interval.fillna(ratio.where(interval.notnull().any([CUTOFF, "end"])))
         with np.errstate(divide="ignore"):  # the lower end of an interval without bounds is zero
             lowest, highest = (xr.ufuncs.log(interval.isel(end=end, drop=True)) for end in (0, 1))
         edges["edge_interval"] = edge_intervals(curves, lowest, highest, limits)
         edges = edges.assign_coords(end=ENDS)
-    return remove_rippled_edges(edges, show_ripples(curves, limits))
+    return remove_rippled_edges(edges, find_ripples(curves, limits))
 
 
-def show_ripples(curves: xr.DataArray, limits: tuple[float, float]) -> xr.DataArray:
-    """Return whether curves of ln(ratio) show the ripples of the filter, not the roughness.
+def find_ripples(curves: xr.DataArray, limits: tuple[float, float]) -> xr.DataArray:
+    """Return whether ripples of the filter, not the roughness, change the force in curves.
 
     Without its short waves a random surface has lower summits, so that the force rises. If it falls
-    first, the filter has made higher summits: ripples near steps.
+    first, the filter has made higher summits: ripples near steps. The curves are ln(ratio).
     """
     lower, upper = limits
     falls_at = curves[CUTOFF].where(curves < lower).min(CUTOFF)

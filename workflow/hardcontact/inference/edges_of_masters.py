@@ -27,10 +27,11 @@ def edges_of_masters(
     """Return force ratios, changes of the force and edges (..., side, group), and sampled edges.
 
     `forces` has ``filtered_force_ratio`` (..., surface, realization, side, cutoff_wavelength), NaN
-    at cutoffs of the other side, and ``spectrum_end`` (surface, side) in nm. The first
-    sampled edge (1 + sample, ..., side, group) is the edge, NaN if open; others have the bound.
+    at cutoffs of the other side, and ``spectrum_end`` (surface, side) in nm. Sampled edges are
+    (1 + sample, ..., side, group). The first is the edge itself, NaN if it is open. In the others
+    the bound replaces an open edge.
     """
-    # The word is a part of the seed.
+    # The word "scales" is a part of the seed: another word would give other samples.
     ratios = sampling.sample_means("scales", forces["filtered_force_ratio"], "realization")
     ratios = ratios.transpose("sample", ..., "side", "surface", CUTOFF)
     group_ratios = ratios.rename(surface="group")

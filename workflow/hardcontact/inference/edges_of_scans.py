@@ -30,8 +30,8 @@ def edges_of_scans(
 ) -> xr.Dataset:
     """Return the edges of the band of every surface, with intervals.
 
-    `forces` is filtered_forces.nc. The error of the hindcast widens the intervals of measured
-    surfaces. A ratio without bounds has an interval from zero to infinity.
+    `forces` is filtered_forces.nc. The error of the hindcast, which is None if all surfaces are
+    substitutes, widens intervals.
     """
     ratios = summarize_masters(
         forces, master_scans, lambda masters: _ratios_of_masters(masters, confidence)

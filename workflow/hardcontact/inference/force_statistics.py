@@ -27,10 +27,10 @@ def sample_mean_forces(forces: xr.DataArray, sampling: Sampling) -> Floats:
     return np.asarray(means.transpose("sample", "surface", "rho"))
 
 
-def forces_at_pair(
+def statistics_at_pair(
     forces: xr.DataArray, pair: tuple[float, float], reference_index: int, sampling: Sampling
 ) -> xr.Dataset:
-    """Return force statistics and ratios of mean forces of one contact model by surface."""
+    """Return STATISTIC_ATTRS and ``ratio_at_pair`` (surface) of one contact model at one pair."""
     rho, work = pair
     pair_forces = interpolate_forces(forces, rho) * work
     means = sample_mean_forces(pair_forces.expand_dims("rho"), sampling)[..., 0]

@@ -112,7 +112,7 @@ def add_force_ratios(forces: xr.Dataset) -> xr.Dataset:
     filtered = forces["pull_off_force"].mean(CONTACT_AXES)
     unfiltered = forces["unfiltered_pull_off_force"].mean(CONTACT_AXES)
     spectrum_end = forces["spectrum_end"]
-    # It is the same for all realizations, and NaN for those that a surface does not have.
+    # All realizations have the same end; it is NaN for those that a surface does not have.
     realization_axes = [axis for axis in spectrum_end.dims if axis == "realization"]
     ratio = (filtered / unfiltered).drop_attrs(deep=False)  # Coordinates keep their units.
     return forces.assign(

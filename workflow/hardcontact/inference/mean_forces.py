@@ -43,12 +43,12 @@ class SurfaceForces(NamedTuple):
 
 
 def forces_of_surface(
-    forces: xr.DataArray, size: float, radius: float, touched_patches: float
+    forces: xr.DataArray, scan_size: float, radius: float, touched_patches: float
 ) -> SurfaceForces:
     """Return the mean forces of one surface and contact model, with and without each part.
 
     Forces (scan, sphere_scan, rho, contact_y, contact_x) are in N, NaN where a scan is missing. The
-    `size` of a scan and the `radius` of the sphere are in nm; `touched_patches` comes from
+    size of a scan and the radius of the sphere are in nm; `touched_patches` comes from
     `fewest_touched_patches`.
     """
     scan_forces = forces.dropna("scan", how="all").mean("sphere_scan")
@@ -56,7 +56,7 @@ def forces_of_surface(
     scans = np.arange(scan_forces.sizes["scan"])
     quarters = quarters_of_contacts(scan_forces.sizes["contact_y"], 1)
     scan_parts = [
-        parts_of_scans(scans, quarters, size, float(np.sqrt(radius * rho)), touched_patches)
+        parts_of_scans(scans, quarters, scan_size, float(np.sqrt(radius * rho)), touched_patches)
         for rho in scan_forces.rho.values
     ]
     delete_one_log_means = delete_one_logarithms(
@@ -128,7 +128,7 @@ def logarithmic_interval(value: Floats, log_half_width: Floats) -> Floats:
 class MasterScans(NamedTuple):
     """The scans of masters: realization r uses scan (r - 1) modulo the number of scans."""
 
-    counts: Mapping[str, int]  #: Number of scans of each surface.
+    scan_counts: Mapping[str, int]  #: By surface.
     tiles: int  #: Mirrored scans per row of a long-edge master.
     touched_patches: Mapping[str, float]  #: From `fewest_touched_patches`.
 
@@ -143,10 +143,10 @@ class MasterForces(NamedTuple):
     scan_parts: ScanParts
 
 
-def forces_of_masters(
+def select_masters(
     filtered_forces: xr.Dataset, surface: str, side: str, master_scans: MasterScans
 ) -> MasterForces:
-    """Return the forces, of filtered_forces.nc, on the masters of one surface and side."""
+    """Return the forces on the masters of one surface and side from filtered_forces.nc."""
     # The spectrum of an unfiltered long-edge master ends at the width of the master.
     master_size = float(filtered_forces.spectrum_end.sel(surface=surface, side="long"))
     # A tile is a mirrored scan, twice as wide as the scan.
@@ -156,7 +156,7 @@ def forces_of_masters(
         "realization", how="all", subset=["filtered_force_ratio"]
     )
     scan_parts = parts_of_scans(
-        (forces.realization.values - 1) % master_scans.counts[surface],
+        (forces.realization.values - 1) % master_scans.scan_counts[surface],
         quarters_of_contacts(forces.sizes["contact_y"], tiles),
         scan_size,
         float(np.sqrt(filtered_forces.attrs["sphere_radius"] * filtered_forces.attrs["rho"])),
@@ -170,7 +170,7 @@ def summarize_masters(
 ) -> xr.Dataset:
     """Return a summary of the forces of filtered_forces.nc, over surface and side."""
     summaries = {
-        (surface, side): summary(forces_of_masters(forces, surface, side, master_scans))
+        (surface, side): summary(select_masters(forces, surface, side, master_scans))
         for surface in forces.surface.values.tolist()
         for side in forces.side.values.tolist()
     }

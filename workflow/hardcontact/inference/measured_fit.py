@@ -26,27 +26,29 @@ from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, NM
 from hardcontact.contact.force_interpolation import interpolate_to_ranges
 from hardcontact.inference.fit import FIT_ATTRS, best_fit, fine_ranges
 from hardcontact.inference.mean_forces import SurfaceForces, forces_by_surface
-from hardcontact.inference.measured_forces import sampled_means, summarize_forces
+from hardcontact.inference.measured_forces import sample_measured_mean, summarize_forces
 from hardcontact.inference.scan_parts import IntervalSource, sample_deviations
 
 
 def fit_measured(
     adhesion: xr.Dataset,
-    forces: pd.DataFrame,
+    force_table: pd.DataFrame,
     scan_sizes: Mapping[str, float],
     pixel_factors: Mapping[str, float],
     sampling: Sampling,
 ) -> xr.Dataset:
     """Return fit.nc: ranges and works of adhesion that agree with measured forces.
 
-    `adhesion` holds the computed forces, `forces` the measured ones in N. Scan sizes (nm) and the
-    factors by which finer pixels may divide the force are by surface.
+    `adhesion` holds the computed forces, `force_table` the measured ones in N. Scan sizes (nm) and
+    the factors by which finer pixels may divide the force are by surface.
     """
-    measured_surfaces = set(forces["surface"])
+    measured_surfaces = set(force_table["surface"])
     surfaces = [name for name in adhesion["surface"].values.tolist() if name in measured_surfaces]
-    summaries = {name: summarize_forces(forces[forces["surface"] == name]) for name in surfaces}
+    summaries = {
+        name: summarize_forces(force_table[force_table["surface"] == name]) for name in surfaces
+    }
     means = [
-        sampled_means(sampling.generator("tests", name), summary, sampling.sample_count)
+        sample_measured_mean(sampling.generator("tests", name), summary, sampling.sample_count)
         for name, summary in summaries.items()
     ]
     measured_forces = np.stack(means, axis=1)
@@ -76,10 +78,10 @@ def fit_measured(
 
 
 def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampling) -> Floats:
-    """Return samples of the mean forces of a surface: (sample, rho).
+    """Return samples (sample, rho) of the mean forces of a surface.
 
-    They have the same random numbers at every range. All surfaces share the random numbers of
-    the position at which a rough sphere touches.
+    All ranges share random numbers. All surfaces share those of the position at which a rough
+    sphere touches, because the sphere is the same.
     """
     count = sampling.sample_count
     parts_at_ranges = zip(
@@ -110,10 +112,10 @@ def _fit_contact_model(
     the highest work in J/m² that all surfaces allow, or NaN.
     """
     computed_ranges = next(iter(computed_forces.values())).ranges
-    # The curves contain the computed ranges, so that the works at these are exact.
+    # The fine ranges include the computed ones, so that works at these are not interpolated.
     ranges = np.union1d(fine_ranges(computed_ranges), computed_ranges)
     means = np.stack([surface_forces.mean for surface_forces in computed_forces.values()])
-    curves = interpolate_to_ranges(means, computed_ranges, ranges)
+    force_curves = interpolate_to_ranges(means, computed_ranges, ranges)
     sampled_forces = [
         _sampled_forces(surface_forces, name, sampling)
         for name, surface_forces in computed_forces.items()
@@ -131,7 +133,7 @@ def _fit_contact_model(
     joint_intervals = pixel_widening * _work_intervals(
         sampled_works, computed_ranges, ranges, joint_confidence
     )
-    works = measured_means[:, None] / curves
+    works = measured_means[:, None] / force_curves
     region = _common_region(joint_intervals)
     dimensions = ("surface", "rho_fine")
     return xr.Dataset(
@@ -140,7 +142,7 @@ def _fit_contact_model(
         )
         | {"region": (("rho_fine", "end"), region, JOULE_PER_M2)}
         | _region_extent(region, ranges)
-        | _best_pair(curves, measured_means, ranges),
+        | _best_pair(force_curves, measured_means, ranges),
         {"surface": list(computed_forces), "rho_fine": ("rho_fine", ranges, NM)},
     )
 
@@ -160,18 +162,18 @@ def _common_region(intervals: Floats) -> Floats:
     return np.where(is_empty[:, None], np.nan, region)
 
 
-def _best_pair(curves: Floats, measured_forces: Floats, ranges: Floats) -> dict[str, Any]:
-    """Return the `best_fit` of curves (surface, range), and how many pairs fit exactly.
+def _best_pair(force_curves: Floats, measured_forces: Floats, ranges: Floats) -> dict[str, Any]:
+    """Return the `best_fit` of mean forces (surface, range), and how many pairs fit exactly.
 
     One surface has no best range: all are NaN. Two unknowns may fit the forces on two surfaces
     exactly; ``best_error`` is then NaN, because the remaining error comes from the grid of ranges.
     """
-    fit = best_fit(curves, measured_forces, ranges)
+    fit = best_fit(force_curves, measured_forces, ranges)
     exact_pairs = 0
-    if len(curves) == 1:
+    if len(force_curves) == 1:
         fit = dict.fromkeys(fit, np.array(np.nan))
-    if len(curves) == 2:
-        first_work, second_work = measured_forces[:, None] / curves
+    if len(force_curves) == 2:
+        first_work, second_work = measured_forces[:, None] / force_curves
         exact_pairs = int(np.count_nonzero(np.diff(second_work > first_work)))
     if exact_pairs:
         fit["best_error"] = np.array(np.nan)

@@ -15,7 +15,7 @@ from hardcontact.base.statistics import MAX_LOG_DEVIATION, log_std_of_lognormal
 REPEATED_BY_CHANCE = 1e-3
 
 
-class MeasuredForces(NamedTuple):
+class ForceSummary(NamedTuple):
     """Mean and scatter of the forces measured on one surface, log-normal between sites."""
 
     mean: float  #: Mean over sites in N.
@@ -25,7 +25,7 @@ class MeasuredForces(NamedTuple):
     look_repeated: bool = False  #: Whether forces without sites look as if several share a site.
 
 
-def summarize_forces(forces: pd.DataFrame) -> MeasuredForces:
+def summarize_forces(forces: pd.DataFrame) -> ForceSummary:
     """Return mean and scatter of one surface's rows of the table of measured forces.
 
     Forces at one site are one sample, their mean; a force without a site has its own.
@@ -34,12 +34,12 @@ def summarize_forces(forces: pd.DataFrame) -> MeasuredForces:
     if len(forces) == 1:
         mean, median = float(forces["mean"].iloc[0]), forces["median"].iloc[0]
         log_std = float(log_std_of_lognormal(mean, median)) if count > 1 else np.nan
-        return MeasuredForces(mean, log_std, count, count)
+        return ForceSummary(mean, log_std, count, count)
     has_site = forces["site"] != ""
     sites = forces["site"].where(has_site, forces.index)
     means = forces["mean"].groupby(sites, sort=False).mean()
     log_std = float(np.log(means).std(ddof=1))
-    return MeasuredForces(float(means.mean()), log_std, len(means), count, look_repeated(forces))
+    return ForceSummary(float(means.mean()), log_std, len(means), count, look_repeated(forces))
 
 
 def look_repeated(forces: pd.DataFrame) -> bool:
@@ -61,22 +61,22 @@ def look_repeated(forces: pd.DataFrame) -> bool:
     return bool((ratios < 1 + quantile / np.sqrt(len(logs) - lags)).any())
 
 
-def sampled_means(
-    rng: np.random.Generator, forces: MeasuredForces, sample_count: int
+def sample_measured_mean(
+    rng: np.random.Generator, summary: ForceSummary, sample_count: int
 ) -> np.ndarray:
-    """Return the mean force in N, and random means that it may be (1 + sample,).
+    """Return the mean force in N, then samples of what the true mean may be (1 + sample,).
 
     Samples are around the arithmetic mean. They deviate as the mean of ln F plus half its variance
     does for a log-normal F (Krishnamoorthy and Mathew, J. Stat. Plan. Inference 115 (2003)
-    103). NaN for one site, whose scatter is unknown.
+    103). They are NaN for one site, because its scatter is unknown.
     """
-    if forces.site_count < 2:
-        return np.append(forces.mean, np.full(sample_count, np.nan))
-    degrees_of_freedom = forces.site_count - 1
-    variance = forces.log_std**2
+    if summary.site_count < 2:
+        return np.append(summary.mean, np.full(sample_count, np.nan))
+    degrees_of_freedom = summary.site_count - 1
+    variance = summary.log_std**2
     chi_squared = rng.chisquare(degrees_of_freedom, sample_count)
     sampled_variance = variance * degrees_of_freedom / chi_squared
-    errors = rng.standard_normal(sample_count) * np.sqrt(sampled_variance / forces.site_count)
+    errors = rng.standard_normal(sample_count) * np.sqrt(sampled_variance / summary.site_count)
     deviation = (sampled_variance - variance) / 2 - errors
     deviation = np.clip(deviation, -MAX_LOG_DEVIATION, MAX_LOG_DEVIATION)
-    return np.append(forces.mean, forces.mean * np.exp(deviation))
+    return np.append(summary.mean, summary.mean * np.exp(deviation))

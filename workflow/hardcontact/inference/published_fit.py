@@ -1,8 +1,8 @@
 """Range and work of adhesion that fit published mean pull-off forces, for fit.nc.
 
-Forces are computed at a work of adhesion of 1 J/m², to which they are proportional. Statistics of
-forces are given for two pairs of range and work, the published and the fitted one.
-`measured_fit` finds all pairs within intervals instead, because its user may have few forces.
+Forces are computed at 1 J/m², because they are proportional to the work of adhesion. Statistics of
+forces are given for two pairs of range and work, the published and the fitted one. A pair fits if
+its error is below the paper's threshold; `measured_fit` uses intervals of the forces instead.
 """
 
 from pathlib import Path
@@ -30,7 +30,7 @@ from hardcontact.inference.fit import (
     fit_work,
     mean_relative_error,
 )
-from hardcontact.inference.force_statistics import forces_at_pair, sample_mean_forces
+from hardcontact.inference.force_statistics import sample_mean_forces, statistics_at_pair
 
 #: Labels of the pairs of range and work of adhesion.
 PAIRS = ["published", "fitted"]
@@ -80,7 +80,7 @@ def fit_published(
         fit = fit_contact_model(forces, published_forces, reference_index, threshold, sampling)
         fitted = float(fit.range_of_adhesion), float(fit.work_of_adhesion)
         statistics = [
-            forces_at_pair(forces, pair, reference_index, sampling)
+            statistics_at_pair(forces, pair, reference_index, sampling)
             for pair in progress([published.pair, fitted], 2, f"force statistics, {model}")
         ]
         fits[(model,)] = fit.merge(xr.concat(statistics, pd.Index(PAIRS, name="pair")))
@@ -118,16 +118,15 @@ def fit_contact_model(
     """
     ranges = fine_ranges(forces.rho.values)
     means = sample_mean_forces(forces, sampling)
-    curves = interpolate_to_ranges(means, forces.rho.values, ranges)
+    force_curves = interpolate_to_ranges(means, forces.rho.values, ranges)
     surfaces = forces.surface.values
-    are_kept = surfaces != surfaces[:, None]
     axes = ("surface", "rho")
     scans = mean_over_contacts(forces).transpose(..., *axes)
     interval = student_log_interval(scans, sampling.confidence, "scan")
     variables = (
-        _error_variables(curves[0], published_forces, ranges, threshold)
-        | _fitted_variables(curves, published_forces, ranges, reference_index, sampling)
-        | _fits_without_surface(curves[0], published_forces, ranges, are_kept)
+        _error_variables(force_curves[0], published_forces, ranges, threshold)
+        | _fitted_variables(force_curves, published_forces, ranges, reference_index, sampling)
+        | _fits_without_surface(force_curves[0], published_forces, ranges)
         | as_variables("mean_force", axes, means[0], interval.values, NEWTON, sampling.confidence)
         | sampling.as_variables(
             "force_over_reference", axes, means / means[:, [reference_index]], DIMENSIONLESS
@@ -143,7 +142,7 @@ def fit_contact_model(
 
 
 def _fitted_variables(
-    curves: Floats,
+    force_curves: Floats,
     published_forces: Floats,
     ranges: Floats,
     reference_index: int,
@@ -151,10 +150,10 @@ def _fitted_variables(
 ) -> dict[str, Any]:
     """Return the best pair with intervals (FITTED_ATTRS), its samples, and ``ratio_error``.
 
-    The first of the curves (k, surface, rho) has the means of forces, all others their samples.
+    Force curves (1 + sample, surface, rho) are the mean forces, then samples of them.
     """
-    fits = best_fit(curves, published_forces, ranges)
-    errors = ratio_errors(curves, published_forces, reference_index)
+    fits = best_fit(force_curves, published_forces, ranges)
+    errors = ratio_errors(force_curves, published_forces, reference_index)
     best_ranges = ranges[errors.argmin(axis=-1)]
     fits["range_from_ratios"] = np.where(np.isfinite(fits["best_error"]), best_ranges, np.nan)
     variables: dict[str, Any] = {"ratio_error": ("rho_fine", errors[0], DIMENSIONLESS)}
@@ -166,13 +165,14 @@ def _fitted_variables(
 
 
 def _fits_without_surface(
-    curves: Floats, published_forces: Floats, ranges: Floats, are_kept: NDArray[np.bool_]
+    force_curves: Floats, published_forces: Floats, ranges: Floats
 ) -> dict[str, Any]:
-    """Return the best pairs (left_out,), named WITHOUT_SURFACE, of the kept surfaces of each row.
+    """Return the best pairs (left_out,) without each surface, by WITHOUT_SURFACE.
 
-    The curves of mean forces are (surface, rho), `are_kept` is (left_out, surface).
+    The force curves are (surface, rho).
     """
-    fits = [best_fit(curves[kept], published_forces[kept], ranges) for kept in are_kept]
+    are_kept = ~np.eye(len(published_forces), dtype=bool)
+    fits = [best_fit(force_curves[kept], published_forces[kept], ranges) for kept in are_kept]
     return {
         WITHOUT_SURFACE[name]: ("left_out", [fit[name] for fit in fits], attributes)
         for name, attributes in FIT_ATTRS.items()
@@ -180,12 +180,12 @@ def _fits_without_surface(
 
 
 def _error_variables(
-    curves: Floats, published_forces: Floats, ranges: Floats, threshold: float
+    force_curves: Floats, published_forces: Floats, ranges: Floats, threshold: float
 ) -> dict[str, Any]:
     """Return the error map, the region of small error, and the local minima along the range."""
-    errors = mean_relative_error(curves, published_forces, MAPPED_WORKS)
+    errors = mean_relative_error(force_curves, published_forces, MAPPED_WORKS)
     region_range, region_work = error_region(errors, ranges, MAPPED_WORKS, threshold)
-    work, smallest_errors = fit_work(curves, published_forces)
+    work, smallest_errors = fit_work(force_curves, published_forces)
     minima = local_minima(smallest_errors, MAX_MINIMA)
     # Rows of range, work and error; NaN without a further minimum.
     values_at_minima = np.full((3, MAX_MINIMA), np.nan)
