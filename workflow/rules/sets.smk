@@ -1,4 +1,4 @@
-# Sets of substitute scans, sampled from pools, and the numbers of each.
+# Sets of substitute scans, sampled from pools: their numbers, features and posterior.
 
 from hardcontact.base.published import CLAIMS
 from hardcontact.paper.claims.statements import claims_of_sets

@@ -117,9 +117,9 @@ def judge_all(datasets, samples=(), confidence=0.95, **changes):
     return judge_claims(claims, datasets, CONSTANTS, confidence, sets)
 
 
-def judge(datasets=None, *samples, **changes):
+def judge(datasets=None, samples=(), **changes):
     """Return the row of the claim after changes of some of its columns."""
-    return judge_all(make_datasets() if datasets is None else datasets, *samples, **changes).iloc[0]
+    return judge_all(datasets or make_datasets(), samples, **changes).iloc[0]
 
 
 def test_a_number_is_judged_with_its_interval():
@@ -279,6 +279,8 @@ def test_intervals_over_scans_have_the_given_confidence():
     datasets["forces"]["scan_force"] = scans
     confidences = (0.95, 0.5)
     quantiles = [stats.t.ppf((1 + confidence) / 2, 2) for confidence in confidences]
-    rows = [judge(datasets, (), confidence, quantity="scan_force") for confidence in confidences]
+    rows = [
+        judge(datasets, confidence=confidence, quantity="scan_force") for confidence in confidences
+    ]
     widths = [np.log(row.high / row.low) for row in rows]
     assert widths[0] / widths[1] == pytest.approx(quantiles[0] / quantiles[1])

@@ -3,5 +3,5 @@
 `sets` repeats band and fit with other scans, from `pool` and `featured_candidates`. `posterior`
 weighs ranges and works of adhesion by these sets, `exponents` describes how the band depends on
 radius and load, `edge_shifts` on plasticity and range. `classical_comparison` applies classical
-models. `claims` judges.
+models. `claims` judges, unless `changed_inputs` finds inputs that are not the paper's.
 """

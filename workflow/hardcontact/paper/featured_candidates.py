@@ -78,7 +78,7 @@ def candidates_by_surface(
 
 
 def candidate_of_set(candidates: Mapping[str, xr.Dataset], set_number: int) -> xr.Dataset:
-    """Return the candidate of a set alone: odd sets have bumps, even sets pits."""
+    """Return the candidate that no other set has: bumps for odd sets, pits for even sets."""
     index = set_number - 1
     candidate = index // len(FEATURE_SIGNS)
     return candidates[alternating_kind(index)].isel(candidate=candidate, drop=True)

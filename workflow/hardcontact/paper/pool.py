@@ -34,8 +34,8 @@ MAX_TRIES = 1000
 def pool_rms_heights(targets: Targets, scan_count: int, height_count: int) -> Floats:
     """Return the ascending rms heights (n,) in nm at which the forces of a pool are computed.
 
-    A scan of a set of k scans is at most (k - 1)/sqrt(k) standard deviations from their mean: the
-    heights reach so far. Their roots are evenly spaced, because forces change faster at small
+    In a set of k scans none is more than (k - 1)/sqrt(k) standard deviations from their mean, so
+    the heights reach that far. Their roots are evenly spaced, because forces change faster at small
     heights.
     """
     mean = targets.means["rms_height"]
@@ -56,7 +56,7 @@ def compute_pool(
     """Return the roughness of some scans of a pool, by number, and the forces on them.
 
     ``log_force`` (scan, rms_height_of_force, contact_model, rho, contact_y, contact_x) is ln(force
-    in N). Rms heights and ranges of adhesion are in nm.
+    in N) at 1 J/m². Rms heights and ranges of adhesion are in nm.
     """
     scan_datasets = []
     for scan_number in progress(scan_numbers, len(scan_numbers), "scans of the pool"):

@@ -196,9 +196,9 @@ def _half_width(region: xr.DataArray) -> xr.Dataset:
 
 
 def strength_over_casimir(paper: xr.Dataset) -> xr.Dataset:
-    """Return the largest pressure of Eq. 2, as published, relative to ideal metals ().
+    """Return the largest ratio of the pressure of Eq. 2 to that between ideal metals ().
 
-    The ratio is largest at a gap of four ranges (workflow/report/findings.md). Casimir, Proc. K.
+    Range and work are as published. The ratio is largest at a gap of four ranges. Casimir, Proc. K.
     Ned. Akad. Wet. 51 (1948) 793.
     """
     rho = 1e-9 * paper["range_of_adhesion"]

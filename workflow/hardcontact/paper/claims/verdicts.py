@@ -116,10 +116,11 @@ def accepted_range(rule: str, published_low: float, published_high: float) -> Ac
 
 
 def sets_needed(set_count: int, confidence: float) -> int:
-    """Return how many sets must agree, so that REPRODUCED_SHARE of all possible sets surely do.
+    """Return how many sets must agree, so that more than REPRODUCED_SHARE of all possible sets do.
 
-    From this number on the exact binomial interval of the share lies above it; Clopper and Pearson,
-    Biometrika 26 (1934) 404. If it exceeds `set_count`, so few sets decide nothing.
+    From this number on the exact binomial interval of the share lies above REPRODUCED_SHARE;
+    Clopper and Pearson, Biometrika 26 (1934) 404. A number above `set_count` says that so few sets
+    decide nothing.
     """
     from scipy.stats import binom
 
@@ -179,10 +180,11 @@ def read_judged_claims(path: str | Path) -> pd.DataFrame:
 def find_open_end(
     side: str, value: float, low: float, high: float, bands: Sequence[xr.Dataset]
 ) -> str:
-    """Return which end of the interval of an edge (nm) lies beyond the cutoffs of any band.
+    """Return which end of the interval of an edge (nm) is only a bound, by the cutoffs of bands.
 
-    It is ``"high"`` for a short edge, ``"low"`` for a long edge, otherwise ``""``. An edge beyond
-    the cutoffs counts as the last cutoff, and an interval that is stretched to it is open, too.
+    It is ``"high"`` for a short edge, ``"low"`` for a long edge, and ``""`` if no end reaches the
+    last cutoff of any band. An edge beyond the cutoffs counts as the last cutoff, and an interval
+    that is stretched to this edge is open, too.
     """
     end, limit, sign = ("high", high, 1) if side == "short" else ("low", low, -1)
     last_cutoffs = np.array(
