@@ -135,11 +135,9 @@ def long_edge_master(
     return replace(repeated, heights=heights.astype(np.float32))
 
 
-#: By side: the function that makes its master, and the key of the third argument in settings.
-MASTER_MAKERS = {"short": (short_edge_master, "pixels"), "long": (long_edge_master, "tiles")}
-SIDES = tuple(MASTER_MAKERS)
-#: By side: the word that names its random numbers. Other words would change all results.
+#: By side of the band: the word that names its random numbers; others would change all results.
 SEED_WORDS = {"short": "small", "long": "large"}
+SIDES = tuple(SEED_WORDS)
 
 
 def master_generator(
@@ -157,5 +155,7 @@ def synthesize_master(
     spectrum: SpectrumFunction,
 ) -> HeightMap:
     """Return the periodic master of a side from a mirrored scan and random waves."""
-    make_master, size_key = MASTER_MAKERS[side]
-    return make_master(rng, mirrored, settings[size_key], settings["transition"], spectrum)
+    transition = settings["transition"]
+    if side == "short":
+        return short_edge_master(rng, mirrored, settings["pixels"], transition, spectrum)
+    return long_edge_master(rng, mirrored, settings["tiles"], transition, spectrum)
