@@ -1,4 +1,4 @@
-"""Spectra beyond their band: long waves up to a roll-off, tails within bounds."""
+"""Spectra beyond the wavelengths measured: a roll-off, and tails within bounds."""
 
 import numpy as np
 import pytest
@@ -155,7 +155,7 @@ def test_the_rolloff_does_not_bias_the_hurst_exponent(rolloff, sharpness):
     np.testing.assert_allclose([fit.shortest, fit.longest], 2 * np.pi / BINS[[-1, -11]])
 
 
-def test_a_draw_depends_on_its_generator_and_samples_unknown_tips():
+def test_a_sampled_spectrum_depends_on_its_generator_and_on_an_unknown_tip():
     scan, _ = scan_of(generator(7), SIZE, level=1.0)
     spectra = [
         next(sample_spectra([generator(8, draw)], [scan], radii))[0].density

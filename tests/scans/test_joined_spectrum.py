@@ -78,7 +78,7 @@ def test_a_noise_floor_is_not_extrapolated():
     assert np.median(largest_errors) < 1.0
 
 
-def test_draws_scatter_by_calibration_and_exponent():
+def test_sampled_spectra_scatter_by_calibration_and_exponent():
     scans = [
         random_map(generator(24), 128, 8.0, gentle_density),
         random_map(generator(25), 128, 40.0, gentle_density),

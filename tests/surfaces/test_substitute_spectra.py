@@ -145,9 +145,9 @@ def test_a_description_without_blanks_permits_itself_alone(write_description):
     np.testing.assert_array_equal(sampled_spectrum.density, described_density)
 
 
-def test_rms_height_counts_only_waves_within_the_domain(write_description):
+def test_rms_height_counts_only_waves_up_to_a_wavelength(write_description):
     path = write_description("inf,0.1,self-affine,1e9,1000,1.0,,")
-    # (1/2 pi) of C_0 q_r^2 over the plateau, up to the domain, and over the slope, q^-4.
+    # (1/2 pi) of C_0 q_r^2 over the plateau, from 4 µm, and over the slope, q^-4.
     roll_off, longest = 2 * np.pi / 1000, 2 * np.pi / 4000
     variance = 1e9 / (2 * np.pi) * ((roll_off**2 - longest**2) / 2 + roll_off**2 / 2)
     assert substitute_spectra.described_rms_height(path, 4000.0) == pytest.approx(

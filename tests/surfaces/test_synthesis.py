@@ -1,13 +1,21 @@
-"""Random surfaces: Parseval, PSD in = PSD out. Masters keep the scan beyond a wavelength."""
+"""Random surfaces have their spectrum, scans are their corners, masters keep part of a scan."""
 
 import numpy as np
 import pytest
-from measurements import UNCD, levelled_scan, uncd_density
+from measurements import PIXEL, UNCD, cut_scan, levelled_scan, uncd_density
 
 from hardcontact.base.arrays import generator
 from hardcontact.surfaces.filters import interpolate, lowpass
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan
-from hardcontact.surfaces.synthesis import long_edge_master, random_surface, short_edge_master
+from hardcontact.surfaces.levelling import remove_form
+from hardcontact.surfaces.synthesis import (
+    ScanGrid,
+    add_sphere_shape,
+    long_edge_master,
+    random_surface,
+    sample_scan,
+    short_edge_master,
+)
 
 
 def radii(pixels, pixel_size):
@@ -26,6 +34,23 @@ def test_scans_have_the_spectrum_they_are_made_from():
     for low, high in ((0.003, 0.01), (0.01, 0.03), (0.03, 0.1), (0.1, 0.15)):
         ring = (wave > low) & (wave < high)
         assert (mean[ring] / uncd_density(wave[ring])).mean() == pytest.approx(1, abs=0.05)
+
+
+def test_the_apex_of_a_sphere_lies_in_the_middle_half_of_its_scan():
+    flat = HeightMap(np.zeros((64, 64)), 40.0, periodic=False, source="substitute")
+    for k in range(20):
+        scan = add_sphere_shape(generator(k), flat, 250e3)
+        row, column = np.unravel_index(scan.heights.argmax(), scan.heights.shape)
+        assert 15 <= row <= 48 and 15 <= column <= 48
+        np.testing.assert_allclose(remove_form(scan, 250e3).heights, 0, atol=1e-9)
+
+
+def test_a_scan_is_the_corner_of_a_random_surface():
+    scan = sample_scan(generator(1), uncd_density, ScanGrid(64, 64 * PIXEL, 128), 0.7)
+    assert not scan.periodic
+    assert scan.pixel_size == pytest.approx(PIXEL)
+    corner = cut_scan(random_surface(generator(1), 128, PIXEL, uncd_density), 64)
+    np.testing.assert_array_equal(scan.heights, 0.7 * corner.heights)
 
 
 @pytest.fixture(scope="module")

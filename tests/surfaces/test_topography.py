@@ -1,4 +1,4 @@
-"""The table of roughness: averages over scans, spectra over all scales, maps for pictures."""
+"""topography.nc: averages over scans, spectra over all scales, maps for pictures."""
 
 from dataclasses import replace
 

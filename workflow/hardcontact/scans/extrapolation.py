@@ -155,17 +155,17 @@ def is_tail_known(tail: Tail) -> bool:
 
 
 def extrapolate_short_waves(
-    wavevector: Floats, density: Floats, hurst: HurstFit, change: float = 0.0
+    wavevector: Floats, density: Floats, hurst: HurstFit, deviation: float = 0.0
 ) -> tuple[Floats, Tail]:
     """Return C_iso (nm⁴) on WAVEVECTORS from at least three measured points, and its tail.
 
-    C_iso is constant above the longest wavelength, self-affine below the shortest. `change` adds to
-    the Hurst exponent, which stays within 0 and 1.
+    C_iso is constant above the longest wavelength, self-affine below the shortest. The Hurst
+    exponent gets a `deviation`, and stays within 0 and 1.
     """
     # The highest measured wavevector may exceed the highest of WAVEVECTORS by rounding.
     table = Spectrum(wavevector, density)(np.minimum(WAVEVECTORS, wavevector[-1]))
     measured_density = np.where(wavevector[-1] * (1 + 1e-9) >= WAVEVECTORS, table, 0.0)
-    exponent = float(np.clip(hurst.exponent + change, 0, 1))
+    exponent = float(np.clip(hurst.exponent + deviation, 0, 1))
     # The tail starts at the log-mean of the points of highest wavevector, moved along the tail.
     relative = wavevector[-MIN_BINS:] / wavevector[-1]
     fall = 2 + 2 * exponent

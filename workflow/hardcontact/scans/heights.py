@@ -71,7 +71,8 @@ def _scan_fields(
 ) -> dict[str, Any]:
     """Return the fields of a scan by their names in `HeightMap`; refuse impossible values."""
     minimum, maximum = LENGTH_BOUNDS
-    # An offset larger than any relief is the position of a stage; heights need digits below it.
+    # An offset larger than any relief is the position of a stage. Heights of a larger offset than
+    # minimum / eps have lost their digits.
     offset = float(np.median(heights))
     if maximum < abs(offset) < minimum / np.finfo(float).eps:
         heights = heights - offset

@@ -142,9 +142,9 @@ def sample_spectra(
         bins = mean_bins(reliable, densities, measured.modes)
         curve = smooth_curve_without_peaks(bins, rng)
         hurst = _fit_hurst_without_peaks(bins)
-        hurst_change = hurst.error * rng.standard_normal()
+        hurst_deviation = hurst.error * rng.standard_normal()
         density, *_ = _extrapolate_curve(
-            curve, hurst, measured.rolloff_evidence, rng.uniform(), hurst_change
+            curve, hurst, measured.rolloff_evidence, rng.uniform(), hurst_deviation
         )
         yield Spectrum(WAVEVECTORS, density * np.exp(mean_log)), np.exp(log_power_factors / 2)
 
@@ -172,10 +172,10 @@ def _extrapolate_curve(
     hurst: HurstFit,
     rolloff_evidence: RolloffEvidence,
     probability: float = 0.5,
-    hurst_change: float = 0.0,
+    hurst_deviation: float = 0.0,
 ) -> tuple[Floats, Tail, float]:
     """Return C_iso (nm⁴) on WAVEVECTORS, extrapolated from a curve, its tail and roll-off (nm)."""
-    density, tail = extrapolate_short_waves(curve.wavevector, curve.density, hurst, hurst_change)
+    density, tail = extrapolate_short_waves(curve.wavevector, curve.density, hurst, hurst_deviation)
     slopes, _ = local_slopes(*curve)
     slope = float(slopes[0])
     longest = float(2 * np.pi / curve.wavevector[0])

@@ -41,7 +41,7 @@ SMALL_FILE_SECONDS = 2
 SECONDS_PER_MEGABYTE = 10
 #: Elapsed time in s, with waits for a processor: five times the longest computing time.
 MAX_WAIT_SECONDS = 600
-#: What pixels under a mask in a file count as: heights, or undefined.
+#: Whether pixels under a mask of the file are heights, or undefined.
 MASKS = ("keep", "exclude")
 #: The longest message in characters.
 MAX_MESSAGE_LENGTH = 2000

@@ -115,13 +115,13 @@ def _spectral_ends(scan: HeightMap, density: Floats) -> list[tuple[float, str]]:
     is_smoothed, is_flat = is_smoothed & ~is_near_peak, is_flat & ~is_near_peak
 
     unsmoothed_count = _count_unsmoothed(is_smoothed, len(q))
-    risen_count = _count_above_floor(is_flat, unsmoothed_count)
-    reliable_count = _count_unsmoothed(is_smoothed, risen_count)
-    has_floor = risen_count < unsmoothed_count
+    above_floor_count = _count_above_floor(is_flat, unsmoothed_count)
+    reliable_count = _count_unsmoothed(is_smoothed, above_floor_count)
+    has_floor = above_floor_count < unsmoothed_count
     ends = []
     if has_floor:
-        ends.append((_end_wavelength(q, risen_count), "noise"))
-    if reliable_count < risen_count or (unsmoothed_count < len(q) and not has_floor):
+        ends.append((_end_wavelength(q, above_floor_count), "noise"))
+    if reliable_count < above_floor_count or (unsmoothed_count < len(q) and not has_floor):
         ends.append((_end_wavelength(q, reliable_count), "smoothing"))
     return ends
 
@@ -148,10 +148,10 @@ def _count_unsmoothed(is_smoothed: NDArray[np.bool_], count: int) -> int:
 
 def _count_above_floor(is_flat: NDArray[np.bool_], count: int) -> int:
     """Count the leading bins, at most `count`, that do not end in a noise floor."""
-    kept_bins = count
-    while kept_bins and is_flat[kept_bins - 1]:
-        kept_bins -= 1
-    return kept_bins if kept_bins == count else max(kept_bins - NOISE_MARGIN_BINS, 0)
+    kept_count = count
+    while kept_count and is_flat[kept_count - 1]:
+        kept_count -= 1
+    return kept_count if kept_count == count else max(kept_count - NOISE_MARGIN_BINS, 0)
 
 
 def _end_wavelength(wavevector: Floats, count: int) -> float:

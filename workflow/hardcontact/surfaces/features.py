@@ -130,7 +130,8 @@ def sample_permitted_features(
 ) -> Features:
     """Sample features from the prior until Table 1 permits them.
 
-    It does if no `standardized_differences` exceeds one. Raises ValueError if none is found.
+    Table 1 permits features if none of their `standardized_differences` exceeds one. Raises
+    ValueError if none of the samples is permitted.
     """
     min_width = max(WIDTH_BOUNDS[0], MIN_WIDTH_PIXELS * grid.pixel_size)
     bounds = (DENSITY_BOUNDS, HEIGHT_BOUNDS, (min_width, WIDTH_BOUNDS[1]), BASE_FACTOR_BOUNDS)

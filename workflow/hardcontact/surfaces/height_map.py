@@ -31,7 +31,7 @@ class HeightMap:
     source: str = "measured"
     path: str = "scan"  #: Path of the file, as messages name it.
     #: Which scan of a container, or which channel of another file, was read, as in surfaces.tsv;
-    #: empty if the file has only one, or chose itself.
+    #: empty if the file has only one, or its default was read.
     dataset: str = ""
     channel: str = ""  #: Name of the channel that was read, whoever chose it.
     file_unit: str = "nm"  #: Unit of length that the file, or its container, states.
@@ -44,10 +44,10 @@ class HeightMap:
     def __repr__(self) -> str:
         """Return pixels, their size and the rms height."""
         counts = " x ".join(map(str, reversed(self.heights.shape)))
-        kind = f"periodic, {self.source}" if self.periodic else self.source
+        origin = f"periodic, {self.source}" if self.periodic else self.source
         return (
             f"HeightMap({counts} pixels of {format_length(self.pixel_size)}, rms height "
-            f"{format_length(float(self.heights.std()))}, {kind})"
+            f"{format_length(float(self.heights.std()))}, {origin})"
         )
 
     @property

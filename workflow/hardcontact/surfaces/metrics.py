@@ -24,6 +24,10 @@ TABLE1_METRICS = {
     "afm_rms_slope": "rms_gradient",
     "afm_rms_curvature": "rms_half_laplacian",
 }
+#: By row of Table 1, of AFM scans or over all scales: its variable in topography.nc.
+TABLE1_VARIABLES = {row: f"{metric}_mean" for row, metric in TABLE1_METRICS.items()} | {
+    row.replace("afm", "all"): f"all_scales_{metric}" for row, metric in TABLE1_METRICS.items()
+}
 
 
 def metrics(scan: HeightMap) -> dict[str, float]:
@@ -67,12 +71,6 @@ def metrics(scan: HeightMap) -> dict[str, float]:
         "kurtosis": float((square**2).mean() / variance**2),
         "peak_to_valley": float(np.ptp(flat_heights)),
     }
-
-
-#: The variables of topography.nc by the rows of Table 1.
-TABLE1_VARIABLES = {row: f"{metric}_mean" for row, metric in TABLE1_METRICS.items()} | {
-    row.replace("afm", "all"): f"all_scales_{metric}" for row, metric in TABLE1_METRICS.items()
-}
 
 
 def metrics_dataset(scan: HeightMap, names: Iterable[str]) -> xr.Dataset:

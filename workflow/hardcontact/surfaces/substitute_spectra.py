@@ -109,8 +109,8 @@ def sample_permitted_spectrum(
 ) -> Spectrum:
     """Sample a spectrum that Table 1 permits: that of the description, if it has no blanks.
 
-    AFM rows get the errors of means over the paper's scans, a given roll-off a factor up to
-    ROLLOFF_FACTOR or its inverse. Raises ValueError if no sample can be calibrated.
+    AFM rows get random errors like those of means over the paper's scans. A given roll-off is
+    multiplied or divided by up to ROLLOFF_FACTOR. Raises ValueError if no sample can be calibrated.
     """
     segments = read_segments(description)
     weights = paper_scan_weights(constants)
