@@ -10,6 +10,7 @@ from typing import Any
 import yaml
 
 from hardcontact.base.formatting import format_share
+from hardcontact.base.published import PUBLISHED_TABLES
 from hardcontact.report import TEXTS
 
 #: Files of each figure.
@@ -41,7 +42,10 @@ def describe_figure(name: str) -> Description:
 
 
 def caption(name: str, facts: Mapping[str, Any]) -> Description:
-    """Return the description of a figure with the facts that its templates name."""
+    """Return the description of a figure with the facts that its templates name.
+
+    Its details end with its inputs.
+    """
     from jinja2 import Environment, StrictUndefined
 
     environment = Environment(undefined=StrictUndefined)
@@ -50,4 +54,7 @@ def caption(name: str, facts: Mapping[str, Any]) -> Description:
     texts: dict[str, Any] = {}
     for key in ("title", "caption", "details", "alt"):
         texts[key] = environment.from_string(getattr(figure, key)).render(facts)
+    if figure.inputs:
+        sources = [PUBLISHED_TABLES.get(name, f"{name}.nc") for name in figure.inputs]
+        texts["details"] += f" Drawn from {', '.join(sources)}."
     return replace(figure, **texts)
