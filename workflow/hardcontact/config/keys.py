@@ -1,8 +1,8 @@
 """The keys of a study, with their types, limits, defaults and meanings, and rules across keys.
 
-The defaults are the paper's; `key` names the section of the paper that a default comes from. The
-strings below a class and below a key are its meaning in config/config.yaml, which
-``python -m hardcontact.config.key_tables`` makes from this module.
+The defaults are the paper's; `key` names the section of the paper that a default comes from. From
+the strings below classes and keys ``python -m hardcontact.config.key_tables`` makes the comments of
+config/config.yaml.
 """
 
 import os
@@ -80,7 +80,7 @@ class SubstituteKeys(Keys):
     pixels: Annotated[int, Field(ge=16, le=8192)] = key(512, "Methods")
     """Pixels per row of a substitute. More pixels resolve shorter wavelengths and cost time."""
     size: types.Length = key("2500 nm", "Methods")
-    """Width of a substitute. A wider one has longer wavelengths, and larger pixels."""
+    """Width of a substitute. A wider substitute has longer wavelengths and larger pixels."""
     featured_surface: types.SurfaceId = "polished_uncd"
     """Substrate whose substitutes have bumps or pits on a Gaussian base, or `none`. Their rms
     heights then scatter as much as the published ones."""
@@ -96,8 +96,8 @@ class ContactKeys(Keys):
     """Load that contact pixels carry before pull-off. Under a larger load more pixels touch, and
     the force is larger."""
     window: types.Length = key("12500 nm", "Intrinsic Work of Adhesion")
-    """Width of the square around a contact over which the force is summed. A wider one holds more
-    of the attraction and costs time."""
+    """Width of the square around a contact over which the force is summed. A wider window holds
+    more of the attraction and costs time."""
     contacts_per_row: types.ContactsPerRow = key(20, "Intrinsic Work of Adhesion")
     """Contacts per row of the array over a mirrored scan. With more contacts the mean force
     scatters less and costs more time."""
@@ -119,11 +119,11 @@ class AdhesionKeys(Keys):
 
 
 class IntervalKeys(Keys):
-    """How many random samples intervals rest on, and how wide the intervals are."""
+    """Number of random samples behind each interval, and confidence of the intervals."""
 
     samples: Annotated[int, Field(ge=20, le=10000)] = 1000
-    """Random samples of scans or masters for each interval. With more samples intervals scatter
-    less."""
+    """Random samples of scans or masters for each interval. With more samples the ends of intervals
+    scatter less."""
     confidence: types.Fraction = 0.95
     """Confidence of all intervals. Larger values widen them."""
 
@@ -168,8 +168,8 @@ class BandKeys(Keys):
     """Masters of each substrate for each edge of the band. With more masters edges scatter less and
     cost more time."""
     whole_surfaces: Annotated[int, Field(ge=1, le=1000)] = 10
-    """Periodic random surfaces of each substrate, as wide as long-edge masters. They serve the
-    changes by octave, the band alone, and the posterior."""
+    """Periodic random surfaces of each substrate, as wide as long-edge masters. On them forces are
+    computed for the changes by octave, the band alone, and the posterior."""
     sphere_roughness: bool = key(False, "not stated")
     """Paper's study: whether the sphere has the roughness of its first scan when the band is
     computed. With `published: none` a scanned sphere is always rough."""
@@ -178,7 +178,7 @@ class BandKeys(Keys):
 
 
 class ElasticKeys(Keys):
-    """Elastic contact, on a sample of the contacts."""
+    """Elastic contact, solved for a sample of the contacts."""
 
     contacts: types.ContactCount = 2
     """Contacts solved on each scan, chosen at random. Each costs time."""
@@ -190,7 +190,7 @@ class IndentKeys(Keys):
     surface: types.SurfaceId = key("ncd", "The Role of Plasticity")
     """Substrate whose contacts indent the sphere."""
     preloads: types.Forces = key(["10 uN", "20 uN"], "The Role of Plasticity (`20 uN`)")
-    """Loads; larger loads make deeper indents. The figure shows the contact of median depth at the
+    """Loads. Larger loads make deeper indents. The figure shows the contact of median depth at the
     largest load."""
 
 
@@ -222,15 +222,15 @@ class SetLongSideKeys(Keys):
 
 
 class SetsKeys(Keys):
-    """Sets of substitute scans that all agree with Table 1, from whose scatter intervals follow."""
+    """Sets of substitute scans, all in agreement with Table 1. Intervals are their scatter."""
 
     count: Annotated[int, Field(ge=1, le=10000)] = 100
-    """Sets, each another choice of scans and masters. With more sets intervals scatter less."""
+    """Number of sets, each with other scans and masters. With more sets intervals scatter less."""
     pool_size: Annotated[int, Field(ge=2, le=10000)] = 60
     """Scans of each substrate in the pool, from which sets are sampled. With more scans sets share
     fewer of them."""
     rms_height_count: Annotated[int, Field(ge=4, le=50)] = 7
-    """Rms heights for which forces on scans of the pool are computed; forces between are
+    """Number of rms heights to which each scan of the pool is scaled. Between them forces are
     interpolated."""
     contacts_per_row: types.ContactsPerRow = 10
     """Contacts per row of the array on scans and masters of the sets."""
@@ -241,7 +241,7 @@ class SetsKeys(Keys):
 
 
 class ExponentKeys(Keys):
-    """Exponents of force and short edge over radius and load, from masters of the sets."""
+    """Exponents of force and short edge over radius and load, computed on masters of the sets."""
 
     masters: types.MasterCount = 3
     """Masters of each substrate for each edge, also for `edge_shifts.nc`."""
@@ -253,9 +253,9 @@ class Study(Keys):
     """All keys of a study, with the rules across keys."""
 
     study: Annotated[str, types.study_name()] = "paper"
-    """Name of the study; results go to `results/<study>/`."""
+    """Name of the study. Its results are in `results/<study>/`."""
     store: Annotated[str, types.FOLDER] = "results/store"
-    """Folder of intermediate files. Studies that share it compute nothing twice."""
+    """Folder of intermediate files. Studies with the same folder compute no file twice."""
     surfaces: types.FilePath = "config/surfaces.tsv"
     """Table of surfaces, with a row for each scan."""
     scans: Annotated[list[int], Field(min_length=1), types.or_word("all")] = key("all")
@@ -267,16 +267,16 @@ class Study(Keys):
     forces: types.FilePath = "none"
     """With `published: none`: table of forces measured on your surfaces, or `none`."""
     given_quantities: list[Literal["radius", "hardness", "preload", "range", "work"]] = []
-    """With `published: none`: quantities whose values are yours. Others that equal the paper's are
-    reported as assumed."""
+    """With `published: none`: quantities that you know. Others with the paper's value are reported
+    as assumed."""
     reference_surface: types.SurfaceId = key("uncd", "Fig. 4b")
     """Substrate whose force is the denominator of ratios of forces."""
     seed: Annotated[int, Field(ge=0, le=4294967295)] = 2021
     """Seed of all random numbers. Another seed shows which changes are chance."""
     effort: Literal["full", "quick"] = "full"
-    """`quick` gives a coarser answer sooner: keys under `quick` replace the others."""
+    """With `quick` the keys under `quick` replace the others, for a coarser answer sooner."""
     quick: dict[Any, Any] = {}
-    """Keys of `effort: quick`. Names of study and store then end with `-quick`."""
+    """Keys of `effort: quick`, with which the names of study and store end in `-quick`."""
     sphere: SphereKeys = SphereKeys()
     scan: ScanKeys = ScanKeys()
     substitutes: SubstituteKeys = SubstituteKeys()

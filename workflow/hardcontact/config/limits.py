@@ -1,7 +1,7 @@
 """Limits of keys that follow from the pixels of scans and masters, and from memory.
 
-A line names the first fault of each surface, of each substrate with the sphere, and of each master,
-because later limits may assume earlier ones.
+Only the first fault of each surface, of each substrate with the sphere, and of each master is
+reported, because later limits may assume earlier ones.
 """
 
 import math
@@ -25,8 +25,8 @@ from hardcontact.contact.numerical_limits import (
 )
 from hardcontact.surfaces.synthesis import SIDES
 
-#: Pixel sizes in nm at which spectra are known. The bins of measured spectra reach from 0.1 nm, two
-#: of the smallest pixels, to 100 µm, ten of the largest pixels.
+#: Smallest and largest pixel (nm). The bins of measured spectra reach from 0.1 nm, two of the
+#: smallest pixels, to 100 µm, ten of the largest pixels.
 PIXEL_SIZES = (0.05, 1e4)
 #: Largest number of pixels per row of a map: arrays of more than 2 GiB are not validated.
 MAX_MAP_PIXELS = 16384
@@ -34,16 +34,16 @@ MAX_MAP_PIXELS = 16384
 #: A real scan has waves longer than itself and does not continue at its borders; a larger surface
 #: would imitate this better, but takes more memory.
 RANDOM_SURFACE_OVER_SCAN = 4
-#: Contact pixels of all contacts on a scan, with their images in the window: all are kept in memory
-#: at once, in some 24 bytes each, 1.6 GB together.
+#: Largest number of contact pixels of all contacts on a scan, with their images in the window. All
+#: are in memory at once, some 24 bytes each, 1.6 GB together.
 MAX_CONTACT_PIXELS = 2**26
-#: Bytes per pixel of a master at the peak of its synthesis and of its filters: three maps in
-#: float32, or the transform of one in single precision and two maps. 13.2 were measured at 8192²
-#: without the writing of the file, which may hold one more map.
+#: Bytes per pixel of a master when most memory is used: three maps in float32, or one map's
+#: transform in single precision and two maps. 13.2 were measured at 8192², and writing the file may
+#: need another map.
 BYTES_A_PIXEL = 17.0
 #: Megabytes of Python, its packages, the scan, and blocks of rows in double precision.
 BASE_MEGABYTES = 500
-#: Megabytes of a job on small masters, with those of Snakemake beside it.
+#: Megabytes of a job on small masters, with Snakemake beside it.
 MINIMUM_MEGABYTES = 3000
 
 

@@ -50,12 +50,12 @@ class SurfaceRow(Keys):
     """File of a measured scan, or description of a substitute (`resources/README.md`), relative to
     the top folder."""
     dataset: Annotated[str, Matching(".{0,1000}", "a name, or nothing")]
-    """Scan of a container (`.zip`), by name or data file; channel of another file; or nothing."""
+    """Name or data file of a scan in a container (`.zip`); channel of another file; or nothing."""
     use: Literal["", "contact", "spectrum"] = ""
-    """Optional. `contact`, also if empty: contacts are made on it. `spectrum`: it only enters the
-    spectrum."""
+    """Optional. `contact` (or empty): contacts are made on the scan. `spectrum`: the scan only
+    enters the spectrum."""
     tip_radius: Annotated[float | str, TIP_RADIUS, or_word("")] = ""
-    """Optional; radius of the tip of the scan, in place of what the file states."""
+    """Optional. Radius of the tip that measured the scan, in place of what the file states."""
 
 
 class Selection:

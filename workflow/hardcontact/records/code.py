@@ -15,7 +15,7 @@ from hardcontact.base.dataset import remove_incomplete_files, write_text_file
 ENVIRONMENT = "environment.txt"
 #: The file of these packages and of all that they need in turn.
 LOCK = "workflow/lock.txt"
-#: Copies of both without comments and hashes. Jobs depend on these: no comment makes a file stale.
+#: Copies of both without comments and hashes, on which jobs depend: a comment makes no file stale.
 ENVIRONMENT_PINS, LOCK_PINS = "results/environment.txt", "results/lock.txt"
 PINS = (ENVIRONMENT_PINS, LOCK_PINS)
 #: The command that installs the pinned versions.
