@@ -5,7 +5,7 @@ EXPONENT_CHUNKS = CHUNKS.master_forces("exponents")
 EDGE_SHIFT_CHUNKS = CHUNKS.master_forces("edge_shifts")
 #: Bands need whole surfaces: scans are too small for their long waves.
 BAND_SURFACES = SELECTION.substitute_substrates
-#: Not in the store: forces are of the published band and of the band that the study itself found.
+#: Not in the store, because the forces depend on the edges that the study found.
 BAND_FORCES = RESULTS.dataset("band/{surface}")
 
 

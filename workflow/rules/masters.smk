@@ -37,7 +37,7 @@ rule compute_filtered_forces:
     """Compute the forces on masters of a purpose, unfiltered and without waves beyond each cutoff."""
     input:
         unpack(lambda w: CHUNKS.master_inputs(w.purpose, w.surface, int(w.first), int(w.last))),
-        sphere=lambda w: [] if w.sphere_digest == SMOOTH_SPHERE else FILES.masters_sphere_path,
+        sphere=lambda w: [] if w.sphere_digest == SMOOTH_SPHERE else FILES.first_sphere_scan_path,
     output:
         STORE.master_forces,
     resources:

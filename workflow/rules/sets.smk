@@ -3,7 +3,7 @@
 from hardcontact.base.published import CLAIMS
 from hardcontact.paper.claims.statements import claims_of_sets
 
-MASTER_CHUNKS = CHUNKS.master_forces("sets")
+SET_CHUNKS = CHUNKS.master_forces("sets")
 
 
 rule compute_pool:
@@ -50,7 +50,7 @@ rule sample_sets:
         adhesion=RESULTS.dataset("adhesion"),
         pools=FILES.paths(STORE.pool, CHUNKS.pools),
         candidates=FILES.paths(STORE.featured_candidates, CHUNKS.featured_candidates),
-        master_forces=FILES.paths(STORE.master_forces, MASTER_CHUNKS),
+        master_forces=FILES.paths(STORE.master_forces, SET_CHUNKS),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
     output:
@@ -60,7 +60,7 @@ rule sample_sets:
         parameters=dict(
             pool_chunks=CHUNKS.pools,
             candidate_chunks=CHUNKS.featured_candidates,
-            master_surfaces=[chunk.surface for chunk in MASTER_CHUNKS],
+            master_surfaces=[chunk.surface for chunk in SET_CHUNKS],
             master_pool_size=STUDY["sets"]["masters"],  # for `hardcontact compare`
             loading=PLAN.contact.loading_name,
             claims=claims_of_sets(CLAIMS),

@@ -3,7 +3,7 @@
 
 # The paper does not say which contact Fig. 4a shows. This one is in the middle of the array on the
 # first scan of the reference surface, with the first scan of the sphere.
-TRACED = {
+TRACED_CONTACT = {
     **SELECTION.attributes(STUDY["reference_surface"]),
     "scan": SELECTION.contact_scans(STUDY["reference_surface"])[0],
     "sphere_scan": SELECTION.contact_scans(SELECTION.sphere)[0],
@@ -23,13 +23,13 @@ SUBSTRATE_AND_SPHERE_SCANS = {
 rule trace_contact:
     """Trace gap, adhesive pressure and force over separation of one contact: contact.nc."""
     input:
-        substrate=FILES.mirrored_scan_path(TRACED["surface"], TRACED["scan"]),
-        sphere=FILES.mirrored_scan_path(SELECTION.sphere, TRACED["sphere_scan"]),
+        substrate=FILES.mirrored_scan_path(TRACED_CONTACT["surface"], TRACED_CONTACT["scan"]),
+        sphere=FILES.mirrored_scan_path(SELECTION.sphere, TRACED_CONTACT["sphere_scan"]),
         published_constants=PUBLISHED_TABLES["published_constants"],
     output:
         RESULTS.dataset("contact"),
     params:
-        parameters=dict(**TRACED, contact=CONTACT_ARGUMENTS),
+        parameters=dict(**TRACED_CONTACT, contact=CONTACT_ARGUMENTS),
     script:
         "../scripts/trace_contact.py"
 

@@ -41,7 +41,7 @@ SUBSTITUTE_INPUTS = {
     ],
 }
 SPHERE_SCAN = (
-    FILES.masters_sphere_path
+    FILES.first_sphere_scan_path
     if SELECTION.contact_scans(SELECTION.sphere) and not PLAN.combined_surfaces
     else []
 )

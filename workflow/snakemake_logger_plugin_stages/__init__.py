@@ -1,4 +1,4 @@
-"""The lines of a run in the terminal: one a stage, with the jobs done and the time left.
+"""The lines of a run in the terminal: one for each stage, with finished jobs and the time left.
 
 A plugin that Snakemake finds by the name of this package. A stage is all jobs of one rule. Dry
 runs, `--quiet` and `--verbose` show Snakemake's own log, which `.snakemake/log` has of every run.

@@ -50,12 +50,12 @@ def select_contact_scans(
     """
     groups = _group_by_grid(scans)
     sphere_groups = groups.pop(sphere) if sphere is not None else []
-    large_enough = LARGE_SIZE_RATIO * max(search_sizes.values())
+    sufficient_size = LARGE_SIZE_RATIO * max(search_sizes.values())
     interaction_radius = math.sqrt(2 * contact.radius * contact.rho)
     selected: list[UserScan] = []
     reasons = []
     for surface, surface_groups in groups.items():
-        group, reason = _best_group(surface_groups, interaction_radius, large_enough)
+        group, reason = _best_group(surface_groups, interaction_radius, sufficient_size)
         selected += group
         reasons.append(f"{surface}: {_describe_group(group)}: {reason}")
     if sphere is not None:
@@ -93,15 +93,15 @@ def _group_by_grid(scans: Sequence[UserScan]) -> dict[str, list[Group]]:
 
 
 def _best_group(
-    groups: list[Group], interaction_radius: float, large_enough: float
+    groups: list[Group], interaction_radius: float, sufficient_size: float
 ) -> tuple[Group, str]:
     """Return the scans of a surface that contacts are made on, and the reason; lengths in nm."""
     reliable = [group for group in groups if any(scan.has_reliable_wavelengths for scan in group)]
     largest_pixel = interaction_radius / MIN_RADIUS_PIXELS
     usable = reliable or groups
     resolved = [group for group in usable if group[0].pixel_size <= largest_pixel]
-    large = [group for group in resolved if group[0].size >= large_enough]
-    goal = f"{format_length(large_enough)}, twice the search size 2 sqrt(2 R sigma²/m)"
+    large = [group for group in resolved if group[0].size >= sufficient_size]
+    goal = f"{format_length(sufficient_size)}, twice the search size 2 sqrt(2 R sigma²/m)"
     if large:
         group = min(large, key=lambda group: (group[0].size, -len(group), group[0].pixel_size))
         reason = f"the smallest of at least {goal}"

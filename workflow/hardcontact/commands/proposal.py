@@ -105,11 +105,11 @@ def propose_keys(
     sphere_scans = [scan for scan in contact_scans if scan.scan_file.surface == sphere]
     transitions = _transition_choices(substrates, sphere_scans)
     full = _effort_choices(substrates, permitted, transitions, FULL_EFFORT)
-    usual = {choice.key: choice.value for choice in full}
+    full_values = {choice.key: choice.value for choice in full}
     quick = [
         choice._replace(reason="")
         for choice in _effort_choices(substrates, permitted, transitions, QUICK_EFFORT)
-        if choice.value != usual[choice.key]
+        if choice.value != full_values[choice.key]
     ]
     if gaps := sum(scan.undefined_count > 0 for scan in scans):
         reason = f"{gaps} of the files have undefined pixels"

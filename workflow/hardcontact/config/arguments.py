@@ -24,7 +24,7 @@ from hardcontact.scans.reading import MASKS
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 from hardcontact.surfaces.synthesis import SIDES
 
-#: The usual values of CONTACT_QUANTITIES, beyond which the unit may be wrong. Sources: spheres and
+#: The usual bounds of CONTACT_QUANTITIES, and examples of what lies between. Sources: spheres and
 #: loads of microscopes, lenses of the surface forces apparatus: Butt et al., Surf. Sci. Rep. 59
 #: (2005) 1; diamond: Brazhkin et al., Phil. Mag. A 82 (2002) 231; long ranges: DelRio et al.,
 #: Nature Mater. 4 (2005) 629; works of adhesion: Israelachvili, Intermolecular and Surface Forces
@@ -114,7 +114,7 @@ def check_positive(**numbers: object) -> None:
 def check_quantities(**numbers: Any) -> None:
     """Refuse quantities of a contact beyond the limits of their keys, and warn of unusual ones.
 
-    They are `radius` and `rho` in nm, `preload` in N, `hardness` in Pa, `work` in J/m².
+    The quantities are `radius` and `rho` in nm, `preload` in N, `hardness` in Pa, `work` in J/m².
     """
     check_positive(**numbers)
     options = {name: "range" if name == "rho" else name for name in numbers}

@@ -126,9 +126,10 @@ class Selection:
         return scans[(master_number - 1) % len(scans)]
 
     def separate_master_scan(self, surface: str, master_number: int) -> int:
-        """Return the number of a scan in one master only; masters take measured scans in turn.
+        """Return the number of the scan in a master: a scan of its own if scans are substitutes.
 
-        Substitute scans beyond those of the study are made for these masters.
+        Substitute scans beyond those of the study are made for masters alone. Measured scans are
+        taken in turn.
         """
         scans = self.contact_scans(surface)
         if master_number <= len(scans) or surface in self.measured_surfaces:

@@ -54,7 +54,7 @@ class StudyPlan:
 
     @property
     def scan_batches(self) -> dict[tuple[int, ...], list[str]]:
-        """Substitutes by the scan numbers that one job makes."""
+        """Substitutes by the numbers of the scans that one job makes."""
         sections = ("band", "sets", "exponents")
         master_count = max(self.study[name]["masters"] for name in sections)
         selection = self.selection
@@ -110,7 +110,7 @@ class StudyPlan:
         return sphere_scans[self.selection.contact_scans(surface).index(scan) % len(sphere_scans)]
 
     def measurements_of_map(self, surface: str, scan: int) -> list[int]:
-        """Return the indices, in its surface's spectrum, of the scans of the bodies in a map."""
+        """Return which measurements of its surface's spectrum, from 0, are the scans in a map."""
         indices = []
         offset = 0
         for body in self.rough_bodies(surface, scan):

@@ -199,8 +199,8 @@ class SurfaceFiles:
         return [self.mirrored_scan_path(surface, scan) for scan in scans]
 
     @property
-    def masters_sphere_path(self) -> str:
-        """The path of the first scan of the sphere, which alone meets masters and changed scans."""
+    def first_sphere_scan_path(self) -> str:
+        """The path of the first scan of the sphere; only this scan meets masters and changed scans."""
         return self.mirrored_scan_paths(self.selection.sphere)[0]
 
     # Both bodies
