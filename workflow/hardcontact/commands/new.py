@@ -140,7 +140,7 @@ def _choices_without_scans(
         if value != key_field(key).default:
             yield Choice(key, value, f"as given, for {files}")
     if arguments.forces is not None:
-        yield Choice("forces", path_from_root(arguments.forces), "own pull-off forces")
+        yield Choice("forces", path_from_root(arguments.forces), "your pull-off forces")
     given_quantities = [option for option in CONTACT_QUANTITIES if quantities[option].is_given]
     if given_quantities:
         yield Choice("given_quantities", given_quantities, "others like the paper's are assumed")

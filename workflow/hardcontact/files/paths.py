@@ -200,7 +200,7 @@ class SurfaceFiles:
 
     @property
     def first_sphere_scan_path(self) -> str:
-        """The path of the first scan of the sphere; only this scan meets masters and changed scans."""
+        """The path of the first scan of the sphere, under which masters and changed scans are."""
         return self.mirrored_scan_paths(self.selection.sphere)[0]
 
     # Both bodies
