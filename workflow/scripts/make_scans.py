@@ -3,7 +3,7 @@
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.conditioning import condition_batch, conditioned_scan
 from hardcontact.surfaces.features import make_featured_scans
-from hardcontact.surfaces.levelling import LEVELLED, MIRRORED, level_and_mirror
+from hardcontact.surfaces.levelling import LEVELLED_TITLE, MIRRORED_TITLE, level_and_mirror
 from hardcontact.surfaces.substitutes import read_substitute
 
 with run_job(snakemake) as job:
@@ -24,5 +24,5 @@ with run_job(snakemake) as job:
     job.write(conditioning, title, "conditioning")
     for number, scan in zip(scan_numbers, scans, strict=True):
         levelled, mirrored = level_and_mirror(scan, params["sphere_radius"])
-        job.write(levelled, LEVELLED, f"levelled_{number}")
-        job.write(mirrored, MIRRORED, f"mirrored_{number}")
+        job.write(levelled, LEVELLED_TITLE, f"levelled_{number}")
+        job.write(mirrored, MIRRORED_TITLE, f"mirrored_{number}")

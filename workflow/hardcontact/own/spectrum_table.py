@@ -11,7 +11,7 @@ from hardcontact.base.units import parse_quantity
 from hardcontact.config.faults import quote_key
 from hardcontact.config.user_files import Row, UserTable, parse_number, user_table
 from hardcontact.scans.measured_spectrum import ENOUGH_MODES, isotropic_from_profile
-from hardcontact.scans.plain_text import ROW
+from hardcontact.scans.plain_text import NUMBERS
 from hardcontact.surfaces.spectrum import Spectrum
 
 #: A table has one of these columns, and a column with its unit.
@@ -47,7 +47,7 @@ def is_spectrum_table(path: str | Path) -> bool:
         return False
     with open(path, "rb") as file:
         first_line = file.readline(MAX_HEADER_BYTES).decode("latin-1")
-    return not (ROW.fullmatch(first_line.strip()) or POSITION_HEADING.match(first_line))
+    return not (NUMBERS.fullmatch(first_line.strip()) or POSITION_HEADING.match(first_line))
 
 
 def read_spectrum_table(path: str | Path) -> Spectrum:

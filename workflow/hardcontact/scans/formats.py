@@ -44,7 +44,7 @@ def read_fields(
     """Return the fields of a `HeightMap` that its file states, for `scans.read_scan`."""
     reader, entry, notes = open_scan(content, dataset)
     unit = unit.replace("angstrom", "Å")
-    channel, channel_notes = find_height_channel(reader, entry, "" if entry else dataset)
+    channel, channel_notes = _find_height_channel(reader, entry, "" if entry else dataset)
     topography, used_metadata = _read_topography(
         channel, entry or _user_metadata(channel, unit, map_size)
     )
@@ -204,7 +204,7 @@ def _accepted_arguments(channel: Any, metadata: dict[str, Any]) -> dict[str, Any
     return arguments
 
 
-def find_height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any, list[str]]:
+def _find_height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any, list[str]]:
     """Return the channel of heights that the user, the container or the reader chooses, and notes.
 
     The user's channel, by `name`, is refused if it holds no heights. If the container or the reader

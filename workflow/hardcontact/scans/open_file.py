@@ -19,7 +19,7 @@ from SurfaceTopography.IO import MagicMatch, readers
 from SurfaceTopography.Support.UnitConversion import is_length_unit
 
 from hardcontact.scans.heights import RefusedFile
-from hardcontact.scans.plain_text import ROW, readable_text
+from hardcontact.scans.plain_text import NUMBERS, readable_text
 
 #: Modules that readers import while they read, when the child process can open no file any more.
 IMPORTED_LATE = (
@@ -199,7 +199,7 @@ def _file_type_and_readers(content: bytes) -> tuple[str, list[str]]:
             return "an X3P with files in a folder: zip them without the folder", ["X3PReader"]
     else:
         lines = content[: 2**16].decode("utf-8", "replace").splitlines()
-        if sum(ROW.fullmatch(line) is not None for line in lines) > len(lines) / 2:
+        if sum(NUMBERS.fullmatch(line) is not None for line in lines) > len(lines) / 2:
             unit = VALUE_UNIT.search("\n".join(lines))
             if unit and not is_length_unit(unit[1]):
                 return (

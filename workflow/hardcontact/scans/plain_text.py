@@ -14,8 +14,8 @@ from hardcontact.scans.point_grid import grid_points
 
 #: Bytes that no text has, but for UTF-16.
 BINARY = re.compile(rb"[\0-\x08\x0e-\x1f]")
-#: A line of numbers and marks of undefined pixels.
-ROW = re.compile(r"(?=.*(?:\d|nan|bad))(?:[-+.,;\s\d]|e(?=[-+\d])|nan|inf|bad)+", re.I)
+#: A line or a cell of numbers and marks of undefined pixels.
+NUMBERS = re.compile(r"(?=.*(?:\d|nan|bad))(?:[-+.,;\s\d]|e(?=[-+\d])|nan|inf|bad)+", re.I)
 #: Commas within numbers.
 DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")
 #: Commas between numbers.
@@ -37,12 +37,12 @@ def readable_text(content: bytes) -> tuple[bytes, list[str]]:
     if text is None:
         return content, []
     lines = text.splitlines()
-    first_row = next((index for index, line in enumerate(lines) if ROW.fullmatch(line)), None)
+    first_row = next((index for index, line in enumerate(lines) if NUMBERS.fullmatch(line)), None)
     if first_row is None:
         return content, []
     width = len(CELL.findall(lines[first_row]))
     lines[first_row:] = [_mark_undefined(line, width) for line in lines[first_row:]]
-    row_indices = [index for index, line in enumerate(lines) if ROW.fullmatch(line)]
+    row_indices = [index for index, line in enumerate(lines) if NUMBERS.fullmatch(line)]
     notes = []
     if _has_decimal_commas("\n".join(lines[index] for index in row_indices)):
         lines = [DECIMAL_COMMA.sub(".", line) for line in lines]
@@ -77,11 +77,11 @@ def _mark_undefined(line: str, width: int) -> str:
     Lines with less than half of the numbers of the first row are unchanged.
     """
     cells = CELL.findall(line)
-    if ROW.fullmatch(line) or not POINT_COLUMNS < len(cells) <= width:
+    if NUMBERS.fullmatch(line) or not POINT_COLUMNS < len(cells) <= width:
         return line
-    if 2 * sum(ROW.fullmatch(cell) is not None for cell in cells) < width:
+    if 2 * sum(NUMBERS.fullmatch(cell) is not None for cell in cells) < width:
         return line
-    return CELL.sub(lambda cell: cell[0] if ROW.fullmatch(cell[0]) else "nan", line)
+    return CELL.sub(lambda cell: cell[0] if NUMBERS.fullmatch(cell[0]) else "nan", line)
 
 
 def _has_decimal_commas(rows: str) -> bool:

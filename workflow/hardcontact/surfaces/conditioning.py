@@ -43,7 +43,7 @@ def scale_rms_heights(rms_heights: Floats, mean: float, std: float) -> Floats:
     return np.asarray(mean + differences)
 
 
-def component_shares(grid: ScanGrid) -> Floats:
+def _component_shares(grid: ScanGrid) -> Floats:
     """Return the shares of amplitude of long, middle and short waves: (3, points of WAVEVECTORS).
 
     They add up to one. On the logarithm of wavelength, from the size of a scan to two pixels, each
@@ -56,7 +56,7 @@ def component_shares(grid: ScanGrid) -> Floats:
     return np.array([1 - long_step, long_step - short_step, short_step])
 
 
-def multiply_amplitudes(spectrum: SpectrumFunction, amplitude_gain: Floats) -> SpectrumFunction:
+def _multiply_amplitudes(spectrum: SpectrumFunction, amplitude_gain: Floats) -> SpectrumFunction:
     """Return a spectrum whose amplitudes are multiplied by a gain (points of WAVEVECTORS)."""
 
     def multiplied_spectrum(wavevector: Floats) -> Floats:
@@ -71,11 +71,11 @@ def _scan_components(substitute: Substitute, shares: Floats, scan_number: int) -
     """Return the levelled components of a scan, whose heights add up to the scan."""
     grid = substitute.grid
     noise = white_noise(substitute.generator(scan_number, "scan"), grid.surface_pixels)
-    spectra = [multiply_amplitudes(substitute.spectrum, share) for share in shares]
+    spectra = [_multiply_amplitudes(substitute.spectrum, share) for share in shares]
     return [level_plane(scan_of_noise(noise, spectrum, grid)) for spectrum in spectra]
 
 
-def metric_matrices(components: Sequence[HeightMap], names: Sequence[str]) -> Floats:
+def _metric_matrices(components: Sequence[HeightMap], names: Sequence[str]) -> Floats:
     """Return a matrix G (component, component) for each metric.
 
     The squared metric of a sum a_k h_k of components is aᵀ G a: it is quadratic in the heights.
@@ -140,9 +140,9 @@ def condition_batch(
     factors = np.ones(len(scan_numbers))
     met_rows = published.rows_met(substitute.spectrum_data.attrs["table1_rows_met"])
     if targets is not None:
-        shares = component_shares(substitute.grid)
+        shares = _component_shares(substitute.grid)
         matrices = [
-            metric_matrices(_scan_components(substitute, shares, number), list(targets.means))
+            _metric_matrices(_scan_components(substitute, shares, number), list(targets.means))
             for number in scan_numbers
         ]
         amplitudes, factors, mean_errors = _fit_batch(np.array(matrices), targets)
@@ -178,7 +178,7 @@ def conditioned_scan(
 ) -> HeightMap:
     """Return a conditioned scan: flat, or of a sphere."""
     rng = substitute.generator(scan_number, "scan")
-    spectrum = multiply_amplitudes(substitute.spectrum, conditioning["amplitude_gain"].values)
+    spectrum = _multiply_amplitudes(substitute.spectrum, conditioning["amplitude_gain"].values)
     factor = conditioning["factor"].sel(scan=scan_number).item()
     flat_scan = sample_scan(rng, spectrum, substitute.grid, factor)
     return flat_scan if sphere_radius is None else add_sphere_shape(rng, flat_scan, sphere_radius)

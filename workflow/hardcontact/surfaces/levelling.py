@@ -113,8 +113,8 @@ def remove_form(
 
 
 #: Titles of the files with the two results of `level_and_mirror`.
-LEVELLED = "levelled scan, the sphere subtracted if it shows one"
-MIRRORED = "scan and its mirror images, periodic"
+LEVELLED_TITLE = "levelled scan, the sphere subtracted if it shows one"
+MIRRORED_TITLE = "scan and its mirror images, periodic"
 
 
 def level_and_mirror(
@@ -134,7 +134,7 @@ def level_and_mirror(
     return levelled, mirror_in_float32(flat).to_dataset()
 
 
-def find_streaks(heights: Floats) -> Iterator[Mask]:
+def _find_streaks(heights: Floats) -> Iterator[Mask]:
     """Yield by width the mask (y, x) of streaks along x, all above or all below other lines.
 
     Only the sign with more pixels counts, because a true line between two raised streaks looks
@@ -154,7 +154,7 @@ def fill_streaks(heights: Floats) -> tuple[Floats, Mask]:
     filled_heights = np.array(heights)
     is_filled = np.zeros(heights.shape, bool)
     for _ in range(MAX_FILLINGS):
-        masks = (is_filled | streaks for streaks in find_streaks(filled_heights))
+        masks = (is_filled | streaks for streaks in _find_streaks(filled_heights))
         # Only a larger mask is progress: width 2 finds the middle of three lines again and again.
         larger_mask = next((mask for mask in masks if mask.sum() > is_filled.sum()), None)
         if larger_mask is None:

@@ -35,7 +35,7 @@ def white_noise(rng: np.random.Generator, pixels: int) -> SingleTransform:
     return np.asarray(scipy.fft.rfft2(rng.standard_normal((pixels, pixels), dtype=np.float32)))
 
 
-def scale_noise(noise: SingleTransform, pixel_size: float, spectrum: SpectrumFunction) -> None:
+def _scale_noise(noise: SingleTransform, pixel_size: float, spectrum: SpectrumFunction) -> None:
     """Scale the transform of white noise, in place, so that its surface has a spectrum.
 
     White noise of unit variance has C_iso = pixel area. Wavevectors of opposite y have equal C_iso.
@@ -57,7 +57,7 @@ def random_surface(
 ) -> HeightMap:
     """Return a periodic Gaussian random surface with a spectrum, of mean zero, in float32."""
     transform = white_noise(rng, pixels)
-    scale_noise(transform, pixel_size, spectrum)
+    _scale_noise(transform, pixel_size, spectrum)
     heights = scipy.fft.irfft2(transform, s=(pixels, pixels), overwrite_x=True)
     return HeightMap(heights, pixel_size, periodic=True, source="substitute")
 
@@ -74,7 +74,7 @@ def scan_of_noise(
 ) -> HeightMap:
     """Return the scan that a transform of white noise makes: the corner of a random surface."""
     transform = noise.copy()
-    scale_noise(transform, grid.pixel_size, spectrum)
+    _scale_noise(transform, grid.pixel_size, spectrum)
     # Only rows of the corner are transformed along x, which saves time.
     rows = scipy.fft.ifft(transform, axis=0, overwrite_x=True)[: grid.pixels]
     heights = scipy.fft.irfft(rows, len(noise), axis=1)[:, : grid.pixels]
