@@ -1,9 +1,9 @@
-"""Forces and long edges of the band on mirrored windows of random surfaces: scan_size.nc.
+"""Forces and long edges of the band on mirrored scans of random surfaces: scan_size.nc.
 
     nice python tests/benchmarks/validate_scan_sizes.py [--table FILE] [--processes 2]
 
-A mirrored window has fewer summits than a large surface, so that the sphere misses the highest of
-them. A window also has no waves longer than its period. If its force changes as soon as its longest
+A mirrored scan has fewer summits than a large surface, so that the sphere misses the highest of
+them. A scan also has no waves longer than its period. If its force changes as soon as its longest
 waves are removed, the long edge is open: it is at least as long.
 
 All settings are taken from the paper's study. resources/validation/README.md describes the table.
@@ -34,14 +34,14 @@ from hardcontact.surfaces.synthesis import random_surface
 
 RESOURCES = Path(__file__).parents[2] / "resources"
 TABLE = RESOURCES / "validation/scan_size.nc"
-#: Substitutes whose random surfaces are cut into windows.
+#: Substitutes whose random surfaces are cut into scans.
 SURFACES = {"polished_uncd": "polished UNCD", "uncd": "UNCD", "ncd": "NCD", "mcd": "MCD"}
 CONFIDENCE, TOLERANCE, SEED = 0.95, 0.1, 2021
 #: Widths (nm) of two whole surfaces.
 SIZES = [20e3, 40e3]
-#: Widths (nm) of windows along the diagonal of the second one.
-WINDOWS = [1250.0, 2500.0, 5000.0, 10e3]
-WINDOW_COUNT = 3
+#: Widths (nm) of scans along the diagonal of the second one.
+SCAN_SIZES = [1250.0, 2500.0, 5000.0, 10e3]
+SCAN_COUNT = 3
 PIXEL_SIZE, REALIZATIONS = 20e3 / 1024, 7
 #: Longer waves are removed.
 CUTOFFS = [
@@ -51,14 +51,14 @@ CUTOFFS = [
 CONTACT = Contact(
     radius=250e3, preload=10e-6, hardness=25e9, window=12.5e3, contacts_per_row=10, rho=5.6
 )
-#: Mirrored windows hold few summits, so that half as many contacts per row suffice.
-WINDOW_CONTACT = replace(CONTACT, contacts_per_row=5)
+#: Mirrored scans hold few summits, so that half as many contacts per row suffice.
+SCAN_CONTACT = replace(CONTACT, contacts_per_row=5)
 
 
-def mirrored_windows(surface, size):
-    """Yield levelled windows of an edge (nm), which mirrored are periodic over twice that size."""
+def mirrored_scans(surface, size):
+    """Yield levelled scans of a width (nm), mirrored so that their period is twice this width."""
     pixels = round(size / surface.pixel_size)
-    for start in np.arange(WINDOW_COUNT) * (surface.pixels // WINDOW_COUNT):
+    for start in np.arange(SCAN_COUNT) * (surface.pixels // SCAN_COUNT):
         shifted_heights = np.roll(surface.heights, (-start, -start), (0, 1))
         heights = shifted_heights[:pixels, :pixels].astype(float)
         yield mirror_scan(level_plane(replace(surface, heights=heights, periodic=False)))
@@ -83,15 +83,15 @@ def filtered_forces(surface, contact):
 
 
 def realization_forces(name, spectrum, realization):
-    """Return the mean `filtered_forces` on windows of every size, then those on whole surfaces."""
+    """Return the mean `filtered_forces` on scans of every size, then those on whole surfaces."""
     surfaces = []
     for size in SIZES:
         rng = generator(SEED, name, realization, f"window edges {size:g} nm")
         pixels = window_pixels(size, PIXEL_SIZE)
         surfaces.append(random_surface(rng, pixels, PIXEL_SIZE, spectrum))
     means = [
-        np.mean([filtered_forces(scan, WINDOW_CONTACT) for scan in windows], axis=0)
-        for windows in (mirrored_windows(surfaces[-1], size) for size in WINDOWS)
+        np.mean([filtered_forces(scan, SCAN_CONTACT) for scan in scans], axis=0)
+        for scans in (mirrored_scans(surfaces[-1], size) for size in SCAN_SIZES)
     ]
     return [*means, *(filtered_forces(surface, CONTACT) for surface in surfaces)]
 
@@ -116,7 +116,7 @@ def surface_forces(name):
     )  # fmt: skip
 
 
-def window_edges(all_forces):
+def long_edges(all_forces):
     """Return means over realizations (surface, map_size) with intervals, and the long edges."""
     ratio = all_forces["filtered_force_ratio"].mean("realization", keep_attrs=True)
     interval = student_log_interval(all_forces["filtered_force_ratio"], CONFIDENCE, "realization")
@@ -143,27 +143,27 @@ def window_edges(all_forces):
 def described_table(all_forces):
     """Return the table of the forces of all surfaces, with its coordinates and attributes."""
     lengths = {
-        "map_size": ([*WINDOWS, *SIZES], "size of the mirrored windows, then of whole surfaces"),
+        "map_size": ([*SCAN_SIZES, *SIZES], "size of the mirrored scans, then of whole surfaces"),
         "cutoff_wavelength": (CUTOFFS, "wavelength above which roughness is removed"),
     }
     coordinates = {
         name: (name, values, {"units": "nm", "long_name": meaning})
         for name, (values, meaning) in lengths.items()
     }
-    mirrored = [1] * len(WINDOWS) + [0] * len(SIZES)
+    mirrored = [1] * len(SCAN_SIZES) + [0] * len(SIZES)
     mirrored_attributes = {
-        "units": "1", "long_name": "1 for mirrored windows, 0 for whole surfaces"
+        "units": "1", "long_name": "1 for mirrored scans, 0 for whole surfaces"
     }  # fmt: skip
-    periods = [*(2 * size for size in WINDOWS), *SIZES]
+    periods = [*(2 * size for size in SCAN_SIZES), *SIZES]
     period_attributes = {"units": "nm", "long_name": "longest wave of the surface"}
-    table = window_edges(all_forces.assign_coords(coordinates))
+    table = long_edges(all_forces.assign_coords(coordinates))
     return table.assign(
         period=("map_size", periods, period_attributes),
         mirrored=("map_size", mirrored, mirrored_attributes),
         label=("surface", list(SURFACES.values())),
         source=("surface", ["substitute"] * len(SURFACES)),
     ).assign_attrs(
-        title="forces and long edges on mirrored windows of random surfaces",
+        title="forces and long edges on mirrored scans of random surfaces",
         history="computed by tests/benchmarks/validate_scan_sizes.py",
         sphere_radius=CONTACT.radius, rho=CONTACT.rho,
         tolerance=TOLERANCE, confidence=CONFIDENCE,

@@ -60,7 +60,7 @@ def test_the_force_at_a_range_does_not_depend_on_the_other_ranges(rough):
 
 @pytest.mark.parametrize(("raised", "penetration"), [(0.99, 0.5), (0.5, 0.99), (0.99, 0.99)])
 @pytest.mark.parametrize(("number", "error"), [(np.float32, SINGLE), (float, 1e-9)])
-def test_contact_pixels_are_subtracted_exactly_at_the_ends_of_its_use(
+def test_subtracted_contact_pixels_leave_enough_digits_up_to_both_limits(
     number, error, raised, penetration
 ):
     # A spike outside the window of the contact, and one in it that sinks in.

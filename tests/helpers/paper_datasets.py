@@ -149,7 +149,7 @@ def fit() -> xr.Dataset:
 
 
 def scan_size() -> xr.Dataset:
-    """Return forces on mirrored windows of three sizes and, the last two, on whole surfaces."""
+    """Return forces on mirrored scans of three sizes and, the last two, on whole surfaces."""
     ratio = 2 - np.arange(4 * 5.0).reshape(4, 5) / 20
     forces = between_multiples(
         "force_over_largest", ("surface", "map_size"), ratio, (0.8, 1.2), 0.9, units="1"

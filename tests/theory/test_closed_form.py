@@ -74,27 +74,28 @@ def test_the_force_of_a_wide_contact_reaches_its_smooth_limit():
 
 def test_a_single_smooth_summit_attracts_like_a_sphere_of_its_radius():
     sigma, length, rho = 40.0, 300.0, 1e-3  # the range is so short that only one summit counts
-    flat = 1e9  # so that the summit is high
-    form = closed_form(gaussian_spectrum(sigma, length), contact(rho, 0.0, flat))
+    large_radius = 1e9  # so that the summit is high
+    form = closed_form(gaussian_spectrum(sigma, length), contact(rho, 0.0, large_radius))
     level = form.apex_height / sigma
     summit = length**2 / (sigma * level)  # its curvature is t m2/sigma
     assert form.regime == Regime.FEW_SUMMITS
-    assert form.dmt_ratio == pytest.approx(summit / flat, rel=0.1)
+    assert form.dmt_ratio == pytest.approx(summit / large_radius, rel=0.1)
 
 
 @pytest.mark.parametrize("summits", [3.0, 30.0])
 def test_n_summits_attract_like_the_mean_power_of_a_gamma_variable(summits):
-    sigma, flat = 4.0, 1e12  # so flat that its highest summits obey the laws of high levels
+    sigma = 4.0
+    large_radius = 1e12  # The highest summits then obey the laws of high levels.
     spectrum = gaussian_spectrum(sigma, 100)
     rough_spectrum = spectrum_between(spectrum, 0, np.inf)
-    _, counts, bearing_areas = summits_above(rough_spectrum, flat)
-    highest = apex_distribution(rough_spectrum, flat, 0.0).mean()
-    area = summits * np.interp(highest, LEVELS, bearing_areas / np.maximum(counts, 1e-99))
-    apex = apex_distribution(rough_spectrum, flat, area)
+    _, counts, bearing_areas = summits_above(rough_spectrum, large_radius)
+    highest_level = apex_distribution(rough_spectrum, large_radius, 0.0).mean()
+    area = summits * np.interp(highest_level, LEVELS, bearing_areas / np.maximum(counts, 1e-99))
+    apex = apex_distribution(rough_spectrum, large_radius, area)
     rho = 3 * sigma / apex.mean()  # the modulus is 3
-    plastic_contact = contact(rho, area, flat)
+    plastic_contact = contact(rho, area, large_radius)
     plastic = closed_form(spectrum, plastic_contact)
-    rigid = closed_form(spectrum, contact(rho, 0.0, flat))
+    rigid = closed_form(spectrum, contact(rho, 0.0, large_radius))
     # The contact area itself attracts, too.
     area_force = smooth_force(plastic_contact) * (1 - 1 / (1 + contact_term(plastic_contact)))
     power, number = 2 / (plastic.weibull_modulus + rigid.weibull_modulus), 1 + np.arange(200)

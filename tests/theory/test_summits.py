@@ -15,8 +15,8 @@ from hardcontact.theory import summits
 from hardcontact.theory.summits import search_size, spectrum_between
 
 RADIUS = 250e3
-#: Radius of a sphere so flat that its highest summits obey the laws of high levels.
-FLAT = 1e9
+#: Radius of a sphere so large that its highest summits obey the laws of high levels.
+LARGE_RADIUS = 1e9
 
 
 def full_band(spectrum):
@@ -63,10 +63,10 @@ def test_short_waves_of_no_height_make_no_summits():
 
 def test_the_highest_point_follows_gumbel_s_law():
     spectrum = full_band(gaussian_spectrum(4, 100))
-    apex = summits.apex_distribution(spectrum, FLAT, 0.0)
+    apex = summits.apex_distribution(spectrum, LARGE_RADIUS, 0.0)
     # Lambda(t) = R m2/(sigma sqrt(2 pi)) exp(-t²/2) is one at the location.
     mean_square_slope = spectral_moment(spectrum, 2) / 2
-    location = np.sqrt(2 * np.log(FLAT * mean_square_slope / (4 * np.sqrt(2 * np.pi))))
+    location = np.sqrt(2 * np.log(LARGE_RADIUS * mean_square_slope / (4 * np.sqrt(2 * np.pi))))
     gumbel = stats.gumbel_r(location, 1 / location)
     assert apex.weights.sum() == pytest.approx(1)
     assert apex.mean() == pytest.approx(gumbel.mean(), rel=0.01)
@@ -86,10 +86,10 @@ def test_exponential_areas_of_poisson_summits_have_a_known_distribution(area):
 
 def test_a_large_contact_area_is_the_bearing_area():
     spectrum, area = full_band(gaussian_spectrum(4, 100)), 3e6
-    level = summits.apex_distribution(spectrum, FLAT, area).mean()
-    bearing = 2 * np.pi * FLAT * 4 * integrate.quad(stats.norm.sf, level, 10)[0]
+    level = summits.apex_distribution(spectrum, LARGE_RADIUS, area).mean()
+    bearing = 2 * np.pi * LARGE_RADIUS * 4 * integrate.quad(stats.norm.sf, level, 10)[0]
     assert bearing == pytest.approx(area, rel=1e-3)
-    assert level < summits.apex_distribution(spectrum, FLAT, 400).mean()
+    assert level < summits.apex_distribution(spectrum, LARGE_RADIUS, 400).mean()
 
 
 def test_the_highest_point_matches_random_surfaces():

@@ -127,7 +127,7 @@ def test_features_are_those_with_the_nearer_scatter(published, nearer):
     assert f"{nearer} come closer to it" in answer(features=features)["notes"][-1]["text"]
 
 
-def test_forces_on_scans_equal_those_on_windows_of_their_size():
+def test_the_small_scan_ratio_is_that_of_scans_of_the_same_size():
     data = scan_size()
     labels = {"surface": "mcd", "map_size": 2500.0}
     data["force_over_largest"].loc[labels] = 2.24

@@ -155,9 +155,9 @@ def is_unbounded(value: float, low: float, high: float, unit: str) -> bool:
     return far > MAX_END_RATIO * near
 
 
-def format_share(share: float) -> str:
+def format_share(share: float, format_spec: str = "g") -> str:
     """Return a share in percent: 0.95 is "95 %"."""
-    return f"{100 * share:g} %"
+    return f"{100 * share:{format_spec}} %"
 
 
 def format_estimate(estimate: Mapping[str, float], format_spec: str) -> str:

@@ -112,7 +112,7 @@ def closed_form(
         return ClosedForm(force, force / dmt_force, 0.0, 0.0, np.inf, Regime.SMOOTH)
     sigma = float(np.sqrt(spectral_moment(rough_spectrum, 0)))
     apex = apex_distribution(rough_spectrum, contact.radius, contact.area)
-    mean_surface_term, summit_term = _terms(rough_spectrum, apex, contact, rough_close_points)
+    mean_surface_term, summit_term = _mean_terms(rough_spectrum, apex, contact, rough_close_points)
     dmt_ratio = mean_surface_term + summit_term + contact_term(contact)
     apex_height = float(sigma * apex.mean())
     weibull_modulus = max(contact.rho * apex_height / sigma**2, 0.0)
@@ -122,7 +122,7 @@ def closed_form(
     return ClosedForm(dmt_force * dmt_ratio, dmt_ratio, sigma, apex_height, weibull_modulus, regime)
 
 
-def _terms(
+def _mean_terms(
     spectrum: Spectrum,
     apex: ApexDistribution,
     contact: Contact,
@@ -139,7 +139,7 @@ def _terms(
     if summit is not None and generations:
         summit_spectrum, summit_contact = summit
         summit_apex = apex_distribution(summit_spectrum, summit_contact.radius, summit_contact.area)
-        terms = _terms(
+        terms = _mean_terms(
             summit_spectrum, summit_apex, summit_contact, rough_close_points, generations - 1
         )
         summit_ratio = min(sum(terms), 1.0)

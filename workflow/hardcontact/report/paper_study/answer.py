@@ -200,10 +200,10 @@ def surface_numbers(surface: str, datasets: Mapping[str, xr.Dataset]) -> dict[st
 
 
 def _small_scan_forces(datasets: Mapping[str, xr.Dataset]) -> xr.Dataset:
-    """Return the validated forces on mirrored windows of the size of the study's scans."""
+    """Return the forces of scan_size.nc on mirrored scans of the size of the study's scans."""
     table = datasets["scan_size"]
-    windows = table.sel(map_size=table["mirrored"] == 1)
-    return windows.sel(map_size=datasets["topography"]["scan_size"].min(), method="nearest")
+    scans = table.sel(map_size=table["mirrored"] == 1)
+    return scans.sel(map_size=datasets["topography"]["scan_size"].min(), method="nearest")
 
 
 def _pairs_of_sets(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> Iterator[Number]:
