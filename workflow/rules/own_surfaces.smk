@@ -72,7 +72,7 @@ rule find_edges_of_scans:
 
 
 rule compute_force_at_pair:
-    """Compute the force at one range and work, also with extrapolated roughness: force.nc."""
+    """Compute forces at one work, at one range also with extrapolated roughness: force.nc."""
     input:
         adhesion=RESULTS.dataset("adhesion"),
         filtered_forces=RESULTS.dataset("filtered_forces"),
@@ -96,7 +96,7 @@ if HAS_FORCES:
     # Forces on one surface give one work for each range, those on several a region of pairs;
     # `fit_published` finds the best pair.
     rule fit_measured:
-        """Find all pairs of range and work of adhesion that the user's forces permit: fit.nc."""
+        """Find all pairs of range and work of adhesion that agree with the user's forces: fit.nc."""
         input:
             adhesion=RESULTS.dataset("adhesion"),
             force=RESULTS.dataset("force"),

@@ -1,4 +1,4 @@
-"""The wavelengths whose removal changes the pull-off force, with their intervals."""
+"""The edges of the band of substitutes: edges.nc."""
 
 from hardcontact.base.dataset import read_dataset
 from hardcontact.base.statistics import Sampling

@@ -1,4 +1,4 @@
-"""The wavelengths whose removal changes the pull-off force on the user's surfaces."""
+"""The edges of the band of the user's surfaces: edges.nc."""
 
 from hardcontact.base.dataset import read_dataset
 from hardcontact.inference.edges import labelled_edges

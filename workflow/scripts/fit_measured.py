@@ -1,4 +1,4 @@
-"""Range and work of adhesion that the user's forces allow."""
+"""Ranges and works of adhesion that agree with the user's measured forces: fit.nc."""
 
 from hardcontact.base.dataset import read_dataset
 from hardcontact.base.statistics import Sampling

@@ -1,4 +1,4 @@
-"""Masters of Fig. 6: a scan with artificial roughness below or above a transition wavelength."""
+"""Masters: a scan with artificial roughness below the transition, and one with it above."""
 
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.height_map import load_height_map

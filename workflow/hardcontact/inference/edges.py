@@ -62,6 +62,8 @@ def find_edges(
     is_open = edge.isnull()
     bound = last_inside.fillna(crossing).where(is_open)
     is_short = bound > 0
+    # An edge before the first cutoff is shorter on the short side and longer on the long side. One
+    # after the last cutoff is the opposite.
     is_open_below = crossing.notnull() == is_short
     open_status = np.where(is_open_below, EdgeStatus.OPEN_BELOW, EdgeStatus.OPEN_ABOVE)
     return xr.Dataset(

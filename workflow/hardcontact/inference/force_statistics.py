@@ -15,6 +15,13 @@ from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.contact.force_interpolation import interpolate_forces
 from hardcontact.contact.pull_off import mean_over_contacts
 
+#: Statistics of the forces on one surface, with their attributes. The interval of the mean is
+#: Student's t over scans, those of the others come from the jackknife over scans.
+STATISTIC_ATTRS = {
+    "mean_force_at_pair": NEWTON, "median_force_at_pair": NEWTON,
+    "log_force_std": DIMENSIONLESS, "lognormal_median": NEWTON,
+}  # fmt: skip
+
 
 def sample_mean_forces(forces: xr.DataArray, sampling: Sampling) -> Floats:
     """Return mean forces (1 + sample, surface, rho) over all scans: the means, then their samples.
@@ -45,14 +52,6 @@ def statistics_at_pair(
     for (name, attributes), value, interval in rows:
         variables |= as_variables(name, "surface", value, interval, attributes, sampling.confidence)
     return xr.Dataset(variables, {"surface": forces.surface.values})
-
-
-#: Statistics of the forces on one surface, with their attributes. The interval of the mean is
-#: Student's t over scans, those of the others come from the jackknife over scans.
-STATISTIC_ATTRS = {
-    "mean_force_at_pair": NEWTON, "median_force_at_pair": NEWTON,
-    "log_force_std": DIMENSIONLESS, "lognormal_median": NEWTON,
-}  # fmt: skip
 
 
 def force_statistics(forces: Floats, sampling: Sampling) -> tuple[Floats, Floats]:

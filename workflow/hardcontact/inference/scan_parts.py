@@ -48,7 +48,7 @@ class Variance(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class ScanParts:
-    """Parts of the scans of one surface."""
+    """Parts of the scans of one surface: the scans themselves, or their quarters."""
 
     part_of_contact: NDArray[np.int_]  #: (map, contact_y, contact_x) numbers of parts.
     correlation_matrix: Floats  #: (part, part), of mean forces on parts.
@@ -190,7 +190,8 @@ def jackknife_variance(logarithms: Floats, scan_parts: ScanParts) -> Variance:
 def interval_half_width(variances: Sequence[Variance], confidence: float) -> Floats:
     """Return the half width (...) of the interval of a logarithm with independent variances.
 
-    It is Student's t with Satterthwaite's degrees of freedom; NaN if all variances are rounding.
+    It is Student's t with Satterthwaite's degrees of freedom; NaN if the variances are mere
+    rounding errors.
     """
     total = np.asarray(sum(variance.value for variance in variances))
     divisor = np.where(total > 0, total, 1.0)
@@ -224,8 +225,8 @@ def sample_deviations(
 ) -> Floats:
     """Sample deviations (sample, ...) of the logarithm of a statistic from its mean over parts.
 
-    They follow Student's t; `logarithms` come from `delete_one_logarithms`. With one generator,
-    parts that differ in their correlation alone share random numbers.
+    They follow Student's t; `logarithms` come from `delete_one_logarithms`. The random numbers do
+    not depend on the correlation of the parts, so that all ranges of adhesion share them.
     """
     from scipy import special
 

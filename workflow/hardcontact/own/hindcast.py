@@ -1,4 +1,4 @@
-"""Tests whether the force on a scan may be extrapolated to roughness that the scan does not show.
+"""Hindcasts test whether forces on a scan may be extrapolated to roughness that it does not show.
 
 A hindcast replaces the outermost octave that a scan shows by artificial roughness. If the force
 changes, a random surface cannot extrapolate this scan. On a Gaussian surface it changes little.
@@ -51,8 +51,7 @@ def random_bodies(
 ) -> list[RandomBody]:
     """Return the bodies of a mirrored map: the substrate, and the sphere if its roughness is added.
 
-    `measurements` (measurement), `spectra` and `random_streams` have one entry for each, in this
-    order.
+    `measurements`, `spectra` and `random_streams` have one entry for each body, in this order.
     """
     # The width of the substrate's scan that is used: half of its mirrored map.
     sizes = [mirrored.size / 2, *measurements["size"].values[1:]]
@@ -157,8 +156,8 @@ def hindcast_ratios(forces: xr.Dataset, tolerance: float, confidence: float) -> 
     """Return ``hindcast_ratio`` and ``hindcast_fails`` (side) from the forces on maps of a surface.
 
     The ratio is the mean force with artificial octaves relative to the force with the octave of the
-    scans. Its interval is for another random octave. The hindcast fails if there is no octave, or
-    if this whole interval lies outside the tolerance.
+    scans. Its interval is that of the ratio with one more random octave. The hindcast fails if
+    there is no octave, or if the whole interval lies outside the tolerance.
     """
     dimensions = ["map", *CONTACT_AXES]
     scan_log = xr.DataArray(np.log(forces["scan_octave_force"].mean(dimensions)))
