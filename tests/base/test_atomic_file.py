@@ -7,12 +7,8 @@ from pathlib import Path
 import pytest
 import xarray as xr
 
-from hardcontact.base.dataset import (
-    INCOMPLETE_PREFIX,
-    atomic_file,
-    remove_incomplete_files,
-    write_dataset,
-)
+from hardcontact.base.atomic_file import INCOMPLETE_PREFIX, atomic_file, remove_incomplete_files
+from hardcontact.base.dataset import write_dataset
 from hardcontact.records.origin import Origin, keep_records
 
 

@@ -1,11 +1,8 @@
 """Pull-off of all scans on all scans of the sphere: every force, and NaN for missing scans."""
 
 import numpy as np
-import xarray as xr
 from periodic_maps import CONTACT, make_bodies, periodic_noise
 
-from hardcontact.base.dataset import stack
-from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.contact.scan_pull_off import pull_off_with_checks, stack_pull_off_forces
 
@@ -38,35 +35,22 @@ def test_a_smooth_sphere_and_the_effects_of_window_and_pixels_are_beside_the_for
     assert forces["wider_window_change"] > 0
 
 
-def forces_on_scan(value, pixels):
-    """Return forces on one scan, with contacts by number."""
-    return xr.Dataset(
-        {
-            "pull_off_force": (CONTACT_AXES, np.full((2, 2), value)),
-            "contact_pixel_count": ("contact_model", [1, pixels], {"units": "1"}),
-        },
-        {axis: [0, 1] for axis in CONTACT_AXES},
-        {"work_of_adhesion": 1.0},
-    )
-
-
-def test_forces_on_all_scans_are_stacked_with_nan_for_missing_scans():
-    keys = [("a", 1, 1), ("a", 1, 2), ("b", 1, 1), ("b", 2, 1)]
-    forces_by_key = {key: forces_on_scan(float(k), 10 + k) for k, key in enumerate(keys)}
-    changes = {("a", 1): 0.1, ("b", 1): 0.2, ("b", 2): 0.3}
+def test_stacked_scans_are_nan_where_scans_are_missing_and_have_the_largest_pixel_count():
+    first_sphere_scan = {3: BODIES_BY_SPHERE_SCAN[3]}
     scans = {
-        scan: stack(
-            {key[2:]: forces for key, forces in forces_by_key.items() if key[:2] == scan},
-            ["sphere_scan"],
-        ).assign(wider_window_change=((), change, {"units": "1"}))
-        for scan, change in changes.items()
+        key: pull_off_with_checks(all_bodies, CONTACT, RANGES)
+        for key, all_bodies in {
+            ("a", 1): BODIES_BY_SPHERE_SCAN,
+            ("b", 2): first_sphere_scan,
+        }.items()
     }
     forces = stack_pull_off_forces(scans)
-    for k, (surface, scan, sphere_scan) in enumerate(keys):
-        labels = {"surface": surface, "scan": scan, "sphere_scan": sphere_scan}
-        np.testing.assert_array_equal(forces.pull_off_force.sel(labels), k)
-    assert np.isnan(forces.pull_off_force.sel(surface="a", scan=2)).all()
-    assert forces.contact_pixel_count.values.tolist() == [1, 13]
+    for (surface, scan), scan_forces in scans.items():
+        stacked = forces.sel(surface=surface, scan=scan, sphere_scan=scan_forces.sphere_scan)
+        np.testing.assert_array_equal(stacked.pull_off_force, scan_forces.pull_off_force)
+    assert forces.pull_off_force.sel(surface="a", scan=2).isnull().all()
+    assert forces.pull_off_force.sel(surface="b", scan=2, sphere_scan=5).isnull().all()
+    # 400 nm² carry the preload: 6.25 pixels of 8 nm, 11.1 pixels of 6 nm.
+    assert forces.contact_pixel_count.values.tolist() == [1, 12]
     assert forces.wider_window_change.dims == ("surface", "scan")
-    np.testing.assert_array_equal(forces.wider_window_change, [[0.1, np.nan], [0.2, 0.3]])
     assert forces.attrs["work_of_adhesion"] == 1.0

@@ -2,7 +2,8 @@
 
 import xarray as xr
 
-from hardcontact.base.dataset import INCOMPLETE_PREFIX, read_dataset
+from hardcontact.base.atomic_file import INCOMPLETE_PREFIX
+from hardcontact.base.dataset import read_dataset
 
 #: Folders of files that belong to one run and not to its results.
 RUN_FOLDERS = {"logs", "benchmarks", ".origin"}

@@ -12,7 +12,7 @@ from forked_runs import call_main, fork_jobs, load_job_packages, use_library_of
 from refusals import assert_says
 from repository import environment, run_snakemake, run_snakemake_with_forks
 
-from hardcontact.base.dataset import INCOMPLETE_PREFIX
+from hardcontact.base.atomic_file import INCOMPLETE_PREFIX
 
 pytestmark = pytest.mark.study
 

@@ -8,7 +8,7 @@ from argparse import Namespace
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from hardcontact.base.dataset import write_text_file
+from hardcontact.base.atomic_file import write_text_file
 from hardcontact.commands.inventory import UserScan, read_inventory, scans_by_surface
 from hardcontact.commands.new_report import report_lines
 from hardcontact.commands.options import (

@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
-from hardcontact.base.dataset import write_text_file
+from hardcontact.base.atomic_file import write_text_file
 
 
 def results_folder(path: str) -> Path:

@@ -9,7 +9,7 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 import hardcontact
-from hardcontact.base.dataset import remove_incomplete_files, write_text_file
+from hardcontact.base.atomic_file import remove_incomplete_files, write_text_file
 
 #: The file of the packages that the study imports.
 ENVIRONMENT = "environment.txt"

@@ -13,13 +13,8 @@ from typing import Any, NamedTuple
 
 import xarray as xr
 
-from hardcontact.base.dataset import (
-    describe_variables,
-    read_meanings,
-    remove_incomplete_files,
-    write_dataset,
-    write_text_file,
-)
+from hardcontact.base.atomic_file import remove_incomplete_files, write_text_file
+from hardcontact.base.dataset import describe_variables, read_meanings, write_dataset
 from hardcontact.records.origin import (
     Origin,
     canonical_json,

@@ -13,7 +13,7 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from hardcontact.base.dataset import write_text_file
+from hardcontact.base.atomic_file import write_text_file
 
 #: Packages whose versions every file names.
 PACKAGES = ("numpy", "scipy", "xarray", "netCDF4", "SurfaceTopography", "snakemake")

@@ -18,7 +18,8 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.lines import Line2D
 
 from hardcontact.base import published
-from hardcontact.base.dataset import atomic_file, read_dataset
+from hardcontact.base.atomic_file import atomic_file
+from hardcontact.base.dataset import read_dataset
 from hardcontact.report.figures import style
 from hardcontact.report.figures.listing import FILE_KINDS
 
