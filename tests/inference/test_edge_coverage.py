@@ -118,8 +118,7 @@ def interval_of_one_scan(number):
     surface = random_surface(generator(2, number), 16 * PIXELS, PIXEL_SIZE, wide_density)
     heights = surface.heights[:PIXELS, :PIXELS].astype(float)
     scan = level_plane(HeightMap(heights, PIXEL_SIZE, tip_radius=1.0))
-    measurements = [scan]
-    spectrum = spectrum_of_dataset(joined_spectrum(measurements, [None]))
+    spectrum = spectrum_of_dataset(joined_spectrum([scan], [None]))
     rngs = (generator(3, number, draw) for draw in range(REALIZATIONS))
 
     def filtered_forces(spectra):
@@ -135,7 +134,7 @@ def interval_of_one_scan(number):
         return forces(((draw, LONG, master) for draw, master in enumerate(masters, 1)), WIDE)
 
     measured_forces = filtered_forces([(spectrum, np.ones(1))] * REALIZATIONS)
-    sampled_forces = filtered_forces(sample_spectra(rngs, measurements, [None]))
+    sampled_forces = filtered_forces(sample_spectra(rngs, [scan], [None]))
     shifted_forces = add_spectrum_shifts(measured_forces, sampled_forces)
     return ratio_intervals(shifted_forces, TILES).sel(side="long")
 

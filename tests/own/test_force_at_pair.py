@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 import xarray as xr
+from intervals import between_multiples
 from known_forces import FORCE_DIMS
 from known_masters import LONG, SHORT, filtered_forces
 from scipy import stats
@@ -170,15 +171,12 @@ def test_the_extrapolated_force_differs_beyond_its_interval_and_the_tolerance(
 ):
     extrapolated_forces = find_extrapolated_forces(master_forces(), MASTERS, 0.05, 0.95)
     # The force on the scans, relative to the force with extrapolated roughness below their pixels.
-    relative = np.array([[[ratio]]]), np.array([[[[ratio - half_width, ratio + half_width]]]])
-    unit = extrapolated_forces.extrapolated_force.sel(side="short").item()
+    extrapolated_force = extrapolated_forces.extrapolated_force.sel(side="short").item()
+    multiples = (1 - half_width / ratio, 1 + half_width / ratio)
     axes = ("surface", "contact_model", "rho")
     scan_forces = xr.Dataset(
-        {
-            "force": (axes, unit * relative[0]),
-            "force_interval": ((*axes, "end"), unit * relative[1]),
-        },
-        {"surface": ["a"], "contact_model": ["plastic"], "rho": [5.0], "end": ["low", "high"]},
+        between_multiples("force", axes, [[[ratio * extrapolated_force]]], multiples),
+        {"surface": ["a"], "contact_model": ["plastic"], "rho": [5.0]},
         {"rho": 5.0},
     )
     comparison = add_extrapolated_force(scan_forces, extrapolated_forces, 0.1).extrapolation_matters

@@ -121,16 +121,21 @@ def add_force_ratios(forces: xr.Dataset) -> xr.Dataset:
     )
 
 
-def add_spectrum_shifts(forces: xr.Dataset, samples: xr.Dataset) -> xr.Dataset:
+def add_spectrum_shifts(forces: xr.Dataset, sampled_forces: xr.Dataset) -> xr.Dataset:
     """Return forces on masters, with the changes if the scans have another spectrum.
 
-    `forces` has the most likely spectra, `samples` sampled ones, with the same random numbers.
-    ``log_ratio_shift`` and ``log_unfiltered_force_shift`` are the changes of the logarithms of
-    ``filtered_force_ratio`` and of the mean unfiltered force; NaN without a sampled spectrum.
+    `forces` are on masters of the most likely spectra, `sampled_forces` on masters of sampled ones,
+    with the same random numbers. ``log_ratio_shift`` and ``log_unfiltered_force_shift`` are the
+    changes of ln(``filtered_force_ratio``) and of the logarithm of the mean unfiltered force; NaN
+    without a sampled spectrum.
     """
-    force = "unfiltered_pull_off_force"
-    ratio = xr.ufuncs.log(samples["filtered_force_ratio"] / forces["filtered_force_ratio"])
-    mean = xr.ufuncs.log(samples[force].mean(CONTACT_AXES) / forces[force].mean(CONTACT_AXES))
-    logs = {"log_ratio_shift": ratio, "log_unfiltered_force_shift": mean}
-    shifts = {name: log.assign_attrs(DIMENSIONLESS) for name, log in logs.items()}
+    force = forces["unfiltered_pull_off_force"].mean(CONTACT_AXES)
+    sampled_force = sampled_forces["unfiltered_pull_off_force"].mean(CONTACT_AXES)
+    changes = {
+        "log_ratio_shift": sampled_forces["filtered_force_ratio"] / forces["filtered_force_ratio"],
+        "log_unfiltered_force_shift": sampled_force / force,
+    }
+    shifts = {
+        name: xr.ufuncs.log(change).assign_attrs(DIMENSIONLESS) for name, change in changes.items()
+    }
     return forces.merge(xr.Dataset(shifts), join="left", compat="no_conflicts")

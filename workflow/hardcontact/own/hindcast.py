@@ -160,12 +160,12 @@ def hindcast_ratios(forces: xr.Dataset, tolerance: float, confidence: float) -> 
     there is no octave, or if the whole interval lies outside the tolerance.
     """
     dimensions = ["map", *CONTACT_AXES]
-    scan_log = xr.DataArray(np.log(forces["scan_octave_force"].mean(dimensions)))
-    logs = xr.DataArray(np.log(forces["artificial_octave_force"].mean(dimensions)))
-    count = logs.sizes["realization"]
+    log_scan_force = xr.DataArray(np.log(forces["scan_octave_force"].mean(dimensions)))
+    log_forces = xr.DataArray(np.log(forces["artificial_octave_force"].mean(dimensions)))
+    count = log_forces.sizes["realization"]
     quantile = student_quantile(count - 1, confidence)
-    half_width = quantile * logs.std("realization", ddof=1) * np.sqrt(1 + 1 / count)
-    log_ratio = logs.mean("realization") - scan_log
+    half_width = quantile * log_forces.std("realization", ddof=1) * np.sqrt(1 + 1 / count)
+    log_ratio = log_forces.mean("realization") - log_scan_force
     interval = np.exp(np.stack([log_ratio - half_width, log_ratio + half_width], axis=-1))
     lowest, highest = logarithmic_limits(tolerance)
     passes = (log_ratio - half_width <= highest) & (log_ratio + half_width >= lowest)

@@ -133,11 +133,11 @@ def _surface_forces(
 
 
 def _mean_force(
-    surface_forces: SurfaceForces, smooth: float, pixel_factor: float, confidence: float
+    surface_forces: SurfaceForces, bound: float, pixel_factor: float, confidence: float
 ) -> Number:
-    """Return the mean plastic force (N); it and its interval are at most the `smooth` force."""
+    """Return the mean plastic force (N); it and its interval are at most the bound."""
     values = np.append(surface_forces.mean, mean_intervals(surface_forces, confidence)[0])
-    mean, low, high = limit_forces(values, smooth).tolist()
+    mean, low, high = limit_forces(values, bound).tolist()
     source = surface_forces.scan_parts[0].interval_source
     return Number("force_on_scan", mean, "N", low / pixel_factor, high, source)
 
