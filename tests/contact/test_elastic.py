@@ -4,9 +4,11 @@ import numpy as np
 import pytest
 from elastic_libraries import library_pressure, library_pull_off
 from paper_numbers import MODULUS, RADIUS
-from periodic_maps import periodic_noise
+from periodic_maps import CONTACT, make_bodies, periodic_noise
 
 from hardcontact.contact.elastic import adhesive_pull_off, pressure_at_load
+from hardcontact.contact.elastic_contacts import ELASTIC_UNITS, solve_elastic_contacts
+from hardcontact.contact.geometry import sample_contacts
 from hardcontact.contact.hertz_jkr_dmt import hertz_contact
 
 LOAD = 10e-6
@@ -77,3 +79,19 @@ def test_stiff_bodies_have_the_rigid_pull_off_force():
 def test_bodies_too_soft_are_refused():
     with pytest.raises(ValueError, match="a stretch of at most rho/10"):
         adhesive_pull_off(sphere_gap(64, 12.0), 12.0, 1e6, WORK, RHO)
+
+
+def test_elastic_contacts_carry_the_preload(monkeypatch):
+    monkeypatch.setattr("hardcontact.contact.elastic_contacts.PULL_OFF_WINDOW", 600.0)
+    bodies = make_bodies(periodic_noise(96, 2.0, 1), periodic_noise(96, 0.3, 2), 8.0, 512, 3)
+    indices = sample_contacts(np.random.default_rng(1), 3, 2)
+    solved = solve_elastic_contacts(bodies, CONTACT, indices, MODULUS)
+    assert {name: solved[name].units for name in ELASTIC_UNITS} == ELASTIC_UNITS
+    assert solved.sizes["contact"] == 2
+    load = solved.elastic_contact_area * 1e-18 * solved.mean_pressure
+    np.testing.assert_allclose(load, 10e-6, rtol=1e-5)
+    assert (solved.elastic_pull_off_force <= solved.rigid_pull_off_force * (1 + 1e-6)).all()
+    assert solved.pressure.max() == solved.peak_pressure[0]
+    assert solved.pressure.values[32, 32] == solved.pressure.max()
+    assert solved.effective_modulus == MODULUS
+    assert solved.hertz_peak_pressure == hertz_contact(10e-6, RADIUS, MODULUS).peak_pressure

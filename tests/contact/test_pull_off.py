@@ -8,7 +8,6 @@ import xarray as xr
 from direct_sum import direct_force, direct_total, gap_of_bodies
 from periodic_maps import CONTACT, make_bodies, periodic_map, periodic_noise
 
-from hardcontact.contact.attraction import trace_contact
 from hardcontact.contact.pull_off import make_force_function, pull_off_dataset
 from hardcontact.contact.scan_pull_off import finer_pixel_ratio, wider_window_change
 
@@ -70,20 +69,6 @@ def test_finer_pixels_change_only_the_contact_area_at_a_small_range(pixels, area
     forces = pull_off_dataset(rough_bodies(), contact, [contact.rho]).pull_off_force
     ratio = finer_pixel_ratio(rough_bodies(), contact, forces.sel(contact_model="plastic"))
     assert ratio == pytest.approx(area_ratio, rel=0.05)
-
-
-def test_a_traced_contact_has_the_force_of_its_bodies():
-    traced = trace_contact(rough_bodies(), (1, 2), CONTACT)
-    dataset = pull_off_dataset(rough_bodies(), CONTACT, [5.6])
-    force = 46.3e-3 * dataset["pull_off_force"].values[1, 0, 1, 2]
-    assert traced.attrs["pull_off_force"] == pytest.approx(force, rel=1e-9)
-    gap, pressure = (traced[name].values for name in ("gap", "adhesive_pressure"))
-    assert gap.shape == pressure.shape == (320, 320)
-    assert np.count_nonzero(gap <= 0) == 7
-    # Where pixels touch the pressure is the largest there is, W/rho; it adds up to the force.
-    assert pressure.max() == pytest.approx(46.3e-3 / 5.6e-9)
-    assert pressure.sum(dtype=float) * 64e-18 == pytest.approx(force, rel=1e-5)
-    assert traced["force"].values[0] == -traced.attrs["pull_off_force"]
 
 
 @pytest.mark.parametrize("missing", ["window", "rho"])

@@ -120,9 +120,9 @@ def join_ends(low: xr.DataArray, high: xr.DataArray) -> xr.DataArray:
 def student_log_samples(rng: np.random.Generator, values: Floats, sample_count: int) -> Floats:
     """Sample the mean (samples, ...) of positive values (n, ...) on n independent scans.
 
-    The samples have the distribution of `student_log_interval`: the deviations of scans from the
-    mean logarithm get normal weights over a chi variable. A weight serves all elements of a scan,
-    which keeps their correlation. NaN for n < 2.
+    The samples have the distribution of `student_log_interval`. A sample adds the deviations of the
+    scans from the mean logarithm, with normal weights over a chi variable. One weight serves all
+    elements of a scan, so that they stay correlated. NaN for n < 2.
     """
     count = len(values)
     if count < 2:

@@ -121,7 +121,7 @@ def join_bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact
 
 
 def spheres_at_positions(sphere: HeightMap, positions_per_row: int) -> list[HeightMap]:
-    """Return the mirrored scan of a sphere, moved so that it touches at even positions.
+    """Return the mirrored scan of a sphere, moved so that it touches at evenly spaced positions.
 
     A single position is the middle of the scan, where `join_bodies` puts the apex.
     """

@@ -1,15 +1,17 @@
-"""The asperities that carry the force of one contact, on surfaces made by hand."""
+"""The attraction over one contact, and the asperities that carry it."""
 
 import numpy as np
 import pytest
-from periodic_maps import RADIUS, make_bodies
+from periodic_maps import CONTACT, RADIUS, make_bodies, periodic_noise
 
 from hardcontact.contact.attraction import (
     asperity_sizes,
     find_carrying_asperities,
     least_carrying_attraction,
+    trace_contact,
 )
 from hardcontact.contact.contact import Contact
+from hardcontact.contact.pull_off import pull_off_dataset
 
 
 @pytest.mark.parametrize("share", [0.5, 0.9])
@@ -52,9 +54,24 @@ def test_a_single_peak_carries_the_force_of_every_contact():
     heights = np.zeros((200, 200))
     heights[105, 94] = 60.0
     contact = Contact(radius=RADIUS, preload=1e-6, hardness=25e9)
-    positions = np.array([(0, 0), (0, 1), (1, 0), (1, 1)])
+    indices = np.array([(0, 0), (0, 1), (1, 0), (1, 1)])
     bodies = make_bodies(heights, None, 20.0, 200, 2)
-    carriers = find_carrying_asperities(bodies, contact, positions, [1.0])
+    carriers = find_carrying_asperities(bodies, contact, indices, [1.0])
     assert (carriers["asperity_count"] == 1).all()
     assert carriers["largest_share"].values == pytest.approx(np.ones((4, 1)), abs=1e-3)
     assert carriers["contact_y"].values.tolist() == [0, 0, 1, 1]
+
+
+def test_a_traced_contact_has_the_force_of_its_bodies():
+    bodies = make_bodies(periodic_noise(128, 20.0, 1), periodic_noise(128, 0.5, 2), 8.0, 320, 3)
+    traced = trace_contact(bodies, (1, 2), CONTACT)
+    dataset = pull_off_dataset(bodies, CONTACT, [5.6])
+    force = 46.3e-3 * dataset["pull_off_force"].values[1, 0, 1, 2]
+    assert traced.attrs["pull_off_force"] == pytest.approx(force, rel=1e-9)
+    gap, pressure = (traced[name].values for name in ("gap", "adhesive_pressure"))
+    assert gap.shape == pressure.shape == (320, 320)
+    assert np.count_nonzero(gap <= 0) == 7
+    # Where pixels touch the pressure is the largest there is, W/rho; it adds up to the force.
+    assert pressure.max() == pytest.approx(46.3e-3 / 5.6e-9)
+    assert pressure.sum(dtype=float) * 64e-18 == pytest.approx(force, rel=1e-5)
+    assert traced["force"].values[0] == -traced.attrs["pull_off_force"]

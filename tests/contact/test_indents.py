@@ -1,16 +1,13 @@
-"""Indents and elastic contacts of two bodies, and an indent that is made by hand."""
+"""Indents of two bodies, and indents that are drawn by hand."""
 
 from dataclasses import replace
 
 import numpy as np
 import pytest
-from paper_numbers import MODULUS
-from periodic_maps import CONTACT, RADIUS, make_bodies, periodic_map, periodic_noise
+from periodic_maps import CONTACT, periodic_map, periodic_noise
 
 from hardcontact.contact.bearing_area import ContactPixels, all_contact_pixels
-from hardcontact.contact.elastic_contacts import ELASTIC_UNITS, solve_elastic_contacts
-from hardcontact.contact.geometry import join_bodies, sample_contacts
-from hardcontact.contact.hertz_jkr_dmt import hertz_contact
+from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.indents import MAP_HALF_WIDTH, indent_sizes, indents_of_scans
 
 SHAPE = {"scan": 2, "sphere_scan": 2, "preload": 2, "contact_y": 3, "contact_x": 3}
@@ -32,22 +29,6 @@ def test_indents_of_scans_equal_those_of_each_pair():
     assert drawn_depth.max() == pytest.approx(median_depth, rel=1e-12)
     assert drawn_depth[MAP_HALF_WIDTH, MAP_HALF_WIDTH] == drawn_depth.max()
     assert indents.sphere_height.shape == (2 * MAP_HALF_WIDTH + 1,) * 2
-
-
-def test_elastic_contacts_carry_the_preload(monkeypatch):
-    monkeypatch.setattr("hardcontact.contact.elastic_contacts.PULL_OFF_WINDOW", 600.0)
-    bodies = make_bodies(periodic_noise(96, 2.0, 1), periodic_noise(96, 0.3, 2), 8.0, 512, 3)
-    positions = sample_contacts(np.random.default_rng(1), 3, 2)
-    solved = solve_elastic_contacts(bodies, CONTACT, positions, MODULUS)
-    assert {name: solved[name].units for name in ELASTIC_UNITS} == ELASTIC_UNITS
-    assert solved.sizes["contact"] == 2
-    load = solved.elastic_contact_area * 1e-18 * solved.mean_pressure
-    np.testing.assert_allclose(load, 10e-6, rtol=1e-5)
-    assert (solved.elastic_pull_off_force <= solved.rigid_pull_off_force * (1 + 1e-6)).all()
-    assert solved.pressure.max() == solved.peak_pressure[0]
-    assert solved.pressure.values[32, 32] == solved.pressure.max()
-    assert solved.effective_modulus == MODULUS
-    assert solved.hertz_peak_pressure == hertz_contact(10e-6, RADIUS, MODULUS).peak_pressure
 
 
 def test_indents_drawn_by_hand_have_known_sizes():
