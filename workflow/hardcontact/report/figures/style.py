@@ -39,7 +39,7 @@ Data = TypeVar("Data", xr.Dataset, xr.DataArray)
 SPHERE_LOOK: Look = {"color": SPHERE_COLOUR, "marker": "X"}
 
 #: Look of artificial or unreliable wavelengths: above grey areas, which show through.
-HATCHED_LOOK: Look = {"fc": "#F5E3C066", "ec": "#DCC797", "hatch": "//", "lw": 0, "zorder": 0.5}
+HATCHED_LOOK: Look = {"fc": "#F5E3C066", "ec": "#CFB57A", "hatch": "//", "lw": 0, "zorder": 0.5}
 MEAN_LOOK: Look = {"color": "black", "marker": "h"}  # of the mean of all surfaces
 PUBLISHED_RANGE: Look = {"color": "0.25", "lw": 1.0, "ls": (0, (4, 2))}
 TILTED_LABELS: Look = {"rotation": 25, "ha": "right", "rotation_mode": "anchor"}  # on an axis
@@ -62,7 +62,7 @@ PRINT_SETTINGS: dict[Any, Any] = {
     "lines.markersize": 3.5,
     "xtick.major.width": 0.6,
     "ytick.major.width": 0.6,
-    "hatch.linewidth": 0.5,
+    "hatch.linewidth": 0.9,
     "image.interpolation": "nearest",  # every pixel of a height map is shown as it is
     "pdf.fonttype": 3,  # text can be searched, as with type 42, which takes three times as long
     "svg.hashsalt": "figure",  # the same names of parts in the SVG each time
