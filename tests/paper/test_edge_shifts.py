@@ -28,12 +28,12 @@ def test_each_contact_model_has_the_edge_of_its_forces():
             )
         }
     ).assign(spectrum_end=(("surface", "side"), [[2.0]]))
-    bands = compute_edge_shifts(forces, 0.1, Sampling(1, 0, 0.95))
-    model_edges = bands["edge"].sel(group="a", side="short")
-    assert bands["contact_model"].values.tolist() == CONTACT_MODELS
+    edge_shifts = compute_edge_shifts(forces, 0.1, Sampling(1, 0, 0.95))
+    model_edges = edge_shifts["edge"].sel(group="a", side="short")
+    assert edge_shifts["contact_model"].values.tolist() == CONTACT_MODELS
     for model, edge in {"plastic": edges[0], "rigid": edges[1]}.items():
         np.testing.assert_allclose(model_edges.sel(contact_model=model), edge, rtol=1e-9)
-    shift = bands["edge_shift"].sel(group="a", side="short")
+    shift = edge_shifts["edge_shift"].sel(group="a", side="short")
     shifts = [edges[0, 0] / edges[1, 0], edges[0, 0] / edges[0, 1]]
     np.testing.assert_allclose(shift.sel(cause=["plasticity", "range"]), shifts)
 
@@ -47,7 +47,7 @@ def test_edges_that_scatter_together_have_a_certain_ratio():
     forces = xr.Dataset(
         {"filtered_force_ratio": ratio}, {"contact_area": ("loading", [400.0, 1.0])}
     ).assign(spectrum_end=(("surface", "side"), [[2.0]]))
-    bands = compute_edge_shifts(forces, 0.1, Sampling(1, 50, 0.95)).sel(group="a")
-    low, high = np.moveaxis(bands["edge_interval"].values, -1, 0)
+    edge_shifts = compute_edge_shifts(forces, 0.1, Sampling(1, 50, 0.95)).sel(group="a")
+    low, high = np.moveaxis(edge_shifts["edge_interval"].values, -1, 0)
     assert (high > 1.2 * low).all()
-    np.testing.assert_allclose(bands["edge_shift_interval"], 1)
+    np.testing.assert_allclose(edge_shifts["edge_shift_interval"], 1)

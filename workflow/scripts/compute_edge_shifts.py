@@ -8,13 +8,10 @@ from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters
-    tolerance = params["tolerance"]
     sampling = Sampling.from_parameters(params["sampling"])
     forces = read_master_forces(params["surfaces"], job.input.master_forces)
-    edges = compute_edge_shifts(forces, tolerance, sampling)
+    edge_shifts = compute_edge_shifts(forces, params["tolerance"], sampling)
     job.write(
-        add_surface_names(edges, params).assign_attrs(
-            tolerance=tolerance, confidence=sampling.confidence
-        ),
+        add_surface_names(edge_shifts, params),
         title="short edges of plastic and rigid contact at two ranges of adhesion",
     )

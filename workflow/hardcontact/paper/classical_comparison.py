@@ -215,7 +215,7 @@ def classical_error(
     The error is the mean over surfaces of |F/target - 1|. Works are searched among SEARCHED_WORKS,
     unless the force of the model is proportional to the work.
     """
-    if model.proportional:
+    if model.is_proportional:
         _, error = fit_work(model.force(1.0, roughness, sphere)[..., None], target)
         return error[..., 0]
     columns = Roughness(*(values[..., None] for values in roughness))  # (..., surface, 1)

@@ -1,8 +1,9 @@
 """Classical models of the adhesion of a rough sphere, applied to the roughness of Table 1.
 
 The models need radii, heights and distances of asperities, which Table 1 does not give: each
-function says how it takes them from rms height, slope and curvature. Lengths are in nm, forces in
-N, works of adhesion in J/m², moduli in Pa. Attractive forces are positive. Arrays broadcast.
+function says how it takes them from rms height, slope and curvature. No formula was compared with
+its primary source. Lengths are in nm, forces in N, works of adhesion in J/m², moduli in Pa.
+Attractive forces are positive. Arrays broadcast.
 """
 
 from collections.abc import Callable
@@ -56,7 +57,7 @@ class ClassicalModel(NamedTuple):
     label: str  #: Name in figures.
     #: The pull-off force in N for a work of adhesion.
     force: Callable[[Values, Roughness, ElasticSphere], Values]
-    proportional: bool  #: Whether the force is proportional to the work of adhesion.
+    is_proportional: bool  #: Whether the force is proportional to the work of adhesion.
 
 
 def rumpf(work: Values, radius: Values, asperity_radius: Values, spacing: float) -> Values:
@@ -64,7 +65,7 @@ def rumpf(work: Values, radius: Values, asperity_radius: Values, spacing: float)
 
     A/6z0² [rR/(r+R) + R/(1+r/z0)²] with A = 12πz0²W, the Hamaker constant that gives the smooth
     sphere 2πWR; z0 is the spacing. The asperity of the radius r stands on a plane. Rumpf, Particle
-    Technology (1990). Unverified against the primary source.
+    Technology (1990).
     """
     reduced_radius = asperity_radius * radius / (asperity_radius + radius)
     return dmt_pull_off(work, reduced_radius + radius / (1 + asperity_radius / spacing) ** 2)
@@ -75,8 +76,8 @@ def rabinovich(work: Values, roughness: Roughness, sphere: ElasticSphere) -> Val
 
     The force is AR/6z0² [1/(1 + 32 kσR/λ²) + 1/(1 + kσ/z0)²] with A = 12πz0²W and k = 1.817. Caps
     are kσ high and λ/2 wide, for the rms height σ and the distance λ between peaks, 2πσ over the
-    rms slope. Rabinovich et al., J. Colloid Interface Sci. 232 (2000) 10 and 17; the coefficients
-    are unverified against the primary source. For σ = 0 the force is twice the smooth sphere's.
+    rms slope. Rabinovich et al., J. Colloid Interface Sci. 232 (2000) 10 and 17. For σ = 0 the
+    force is twice the smooth sphere's.
     """
     distance = 2 * np.pi * roughness.height / roughness.slope
     peak = PEAK_OVER_RMS * roughness.height
@@ -90,7 +91,7 @@ def adhesion_index(work: Values, roughness: Roughness, modulus: float) -> Values
 
     It is the force that flattens asperities, whose heights have the standard deviation σ, relative
     to their adhesion. Adhesion vanishes beyond an index of about 10. Fuller and Tabor, Proc. R.
-    Soc. A 345 (1975) 327. Unverified against the primary source.
+    Soc. A 345 (1975) 327.
     """
     height = roughness.height * NANOMETRE
     asperity = 1 / roughness.curvature * NANOMETRE
@@ -103,7 +104,7 @@ def fuller_tabor(work: Values, roughness: Roughness, sphere: ElasticSphere) -> V
     The force of the smooth sphere, 1.5πWR, is multiplied by the pull-off force of the asperities
     relative to as many asperities of equal height. The ratio for a plane is assumed for the sphere.
     Fuller and Tabor, Proc. R. Soc. A 345 (1975) 327; assumptions and JKR equations as restated by
-    Greenwood, Tribol. Lett. 65 (2017) 159; unverified against the primary source.
+    Greenwood, Tribol. Lett. 65 (2017) 159.
     """
     index = adhesion_index(work, roughness, sphere.modulus)
     return jkr_pull_off(work, sphere.radius) * _relative_pull_off(_jkr_tension, 16, index)
@@ -114,8 +115,7 @@ def maugis_rough_dmt(work: Values, roughness: Roughness, sphere: ElasticSphere) 
 
     The force of the smooth sphere, 2πWR, is multiplied by the largest mean tension of the
     asperities at any separation, relative to 2πβW. As in `fuller_tabor`, the ratio for a plane is
-    assumed for the sphere. Maugis, J. Adhes. Sci. Technol. 10 (1996) 161. Unverified against the
-    primary source.
+    assumed for the sphere. Maugis, J. Adhes. Sci. Technol. 10 (1996) 161.
     """
     index = adhesion_index(work, roughness, sphere.modulus)
     return dmt_pull_off(work, sphere.radius) * _relative_pull_off(_dmt_tension, 4, index)

@@ -1,7 +1,8 @@
 """Exponents of the pull-off force and of the edges of the band against sphere radius and load.
 
-An edge is a length, and is therefore compared with two square roots: of the radius of the sphere,
-and of the area in contact. It is proportional to such a root if the exponent is 1.
+Edges are fitted as powers of two square roots: of the radius of the sphere, because the interaction
+radius √(Dρ) grows like it, and of the area in contact, because it is a length. If the exponent is
+1, edges are proportional to the root.
 """
 
 import numpy as np

@@ -1,9 +1,9 @@
 """Sets of scans: forces, fit, band and claims of each, computed as for the study, for sets.nc.
 
 A set has as many scans and masters of each substrate as the study. Its scans come from the pool of
-the substrate. Its masters are sampled with replacement from masters for all sets, and not scaled to
-Table 1 again. A surface with features has its own candidate (`featured_candidates`). The scatter
-over sets shows how much the numbers of the study depend on its scans.
+the substrate. Its masters are sampled with replacement from those that all sets share, and are not
+scaled to Table 1 again. A surface with features has its own candidate (`featured_candidates`). The
+scatter over sets shows how much the numbers of the study depend on its scans.
 """
 
 from collections.abc import Mapping, Sequence
@@ -34,10 +34,10 @@ SET_FIT_VARIABLES = [
     "range_of_adhesion", "work_of_adhesion", "best_error", "range_at_minimum", "work_at_minimum",
     "error_at_minimum", "mean_force", "force_over_reference", *WITHOUT_SURFACE.values(),
 ]  # fmt: skip
-#: Sets whose claims are estimated at once; each takes up to 20 MB of memory.
-SETS_AT_ONCE = 20
 #: Variables of edges.nc that sets.nc has for each set.
 SET_EDGE_VARIABLES = ["filtered_force_ratio", "filtered_force_change", "edge", "edge_bound"]
+#: Sets whose claims are estimated at once; each takes up to 20 MB of memory.
+SETS_AT_ONCE = 20
 
 
 class SetInputs(NamedTuple):

@@ -58,17 +58,17 @@ def signed_mean_over_scans(values: xr.DataArray, confidence: float) -> xr.Datase
     return xr.Dataset({"value": values.mean("scan"), "value_interval": interval})
 
 
-def quotient(upper: xr.Dataset, lower: xr.Dataset) -> xr.Dataset:
+def quotient(numerator: xr.Dataset, denominator: xr.Dataset) -> xr.Dataset:
     """Return the ratio of two positive estimates; negative ends of their intervals count as zero.
 
     Its interval is wider than needed if both are independent: its ends are ratios of their ends.
     """
-    upper_low, upper_high = interval_ends(upper, "value")
-    lower_low, lower_high = interval_ends(lower, "value")
+    numerator_low, numerator_high = interval_ends(numerator, "value")
+    denominator_low, denominator_high = interval_ends(denominator, "value")
     return as_estimate(
-        upper["value"] / lower["value"],
-        upper_low.clip(0) / lower_high,
-        upper_high / lower_low.clip(0),
+        numerator["value"] / denominator["value"],
+        numerator_low.clip(0) / denominator_high,
+        numerator_high / denominator_low.clip(0),
     )
 
 

@@ -112,8 +112,8 @@ def select_estimate(estimate: xr.Dataset, labels: SelectedLabels, rule: str) -> 
 def _smallest_ratio(groups: Iterable[xr.Dataset], dim: str) -> xr.Dataset:
     """Return the smallest ratio of a value to a value of the next group; all are positive."""
     ratios = [
-        quotient(upper.min(dim, skipna=False), lower.max(dim, skipna=False))
-        for upper, lower in pairwise(groups)
+        quotient(group.min(dim, skipna=False), next_group.max(dim, skipna=False))
+        for group, next_group in pairwise(groups)
     ]
     return reduce(xr.ufuncs.minimum, ratios)
 
@@ -123,8 +123,9 @@ def claim_surfaces(
 ) -> list[str]:
     """Return the names of the surfaces on which a claim depends.
 
-    These are the surfaces that it selects, but not by `left_out`, or else all of its first dataset;
-    and the sphere, unless it is about topography alone. A claim that needs no scan depends on none.
+    They are the surfaces that the claim selects, other than by `left_out`, or all of its first
+    dataset if it selects none. The sphere is added unless the claim is about topography alone. A
+    claim that needs no scan depends on no surface.
     """
     if claim.needs in WITHOUT_SCAN:
         return []
