@@ -67,7 +67,7 @@ def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[
         Line2D([], [], marker="|", ms=9, ls="none", label=f"{confidence} interval", **grey),
         Patch(color="0.3", alpha=style.OPACITY, lw=0, label=f"{sets} of all sets of substitutes"),
         Line2D([], [], label="published mean force", **grey, **PUBLISHED_MEAN),
-        Line2D([], [], label=f"published range, ρ = {published:g} nm", **style.PUBLISHED_RANGE),
+        Line2D([], [], label=f"published range, ρ = {published:g} nm", **style.PUBLISHED_LENGTH),
         Line2D([], [], label="ρ that fits the ratios best", **RATIO_FIT),
         Line2D([], [], marker="o", ls="none", label=fit_label, **grey, **AT_FIT),
     ]

@@ -19,7 +19,6 @@ TITLES = {
     "short": "roughness below the cutoff removed",
     "long": "roughness above the cutoff removed",
 }
-PUBLISHED_LINE: style.Look = {"color": "0.25", "lw": 1.0, "ls": "--"}
 EDGE_LOOK: style.Look = {"ls": "none", "marker": "o", "mfc": "white", "mew": 1.3, "ms": 5.5}
 #: Lowest and highest change drawn, in tolerances: on a longer axis their strip would be thin.
 SHOWN_TOLERANCES = (-3, 7)
@@ -35,7 +34,7 @@ def draw(
     band = panels.published_band(published_constants)
     for letter, side, edge, axes in zip("ab", TITLES, band, both_axes, strict=True):
         _draw_side(axes, edges.sel(side=side))
-        axes.axvline(edge, zorder=1, **PUBLISHED_LINE)
+        axes.axvline(edge, zorder=1, **style.PUBLISHED_LENGTH)
         transition = float(filtered_forces["transition"].sel(side=side))
         artificial = (0.0, transition) if side == "short" else (transition, np.inf)
         panels.hatch_bands(axes, [artificial])
@@ -80,6 +79,6 @@ def _legend_handles(edges: xr.Dataset, band: Sequence[float]) -> list[Artist]:
         Line2D([], [], color="0.6", lw=0.7, label=f"{confidence} interval (bars)"),
         Patch(label=f"change below {tolerance}", **panels.UNCHANGED_LOOK),
         Line2D([], [], label=f"edge: first change by {tolerance} from 1", mec="0.3", **EDGE_LOOK),
-        Line2D([], [], label=f"published edges: {published}", **PUBLISHED_LINE),
+        Line2D([], [], label=f"published edges: {published}", **style.PUBLISHED_LENGTH),
         Patch(label="artificial roughness", **style.HATCHED_LOOK),
     ]

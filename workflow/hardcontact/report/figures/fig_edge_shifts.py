@@ -23,7 +23,7 @@ def draw(edge_shifts: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     for letter, (model, rho), (ratio_panel, edge_panel) in zip("abcd", cases, grid.T, strict=True):
         _draw_case(ratio_panel, edge_panel, bands.sel(contact_model=model, rho=rho))
         for axes in (ratio_panel, edge_panel):
-            axes.axvline(edge, **style.PUBLISHED_RANGE)
+            axes.axvline(edge, **style.PUBLISHED_LENGTH)
         style.label_panel(ratio_panel, letter, f"{model}, ρ = {rho:g} nm")
     # Bars of two or three masters would stretch the axis over many decades.
     ratios = bands["filtered_force_ratio"]
@@ -34,7 +34,7 @@ def draw(edge_shifts: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     handles = [
         *style.surface_handles(edge_shifts),
         Line2D([], [], label="averaged change", **style.MEAN_LOOK),
-        Line2D([], [], label=f"published short edge: {edge:g} nm", **style.PUBLISHED_RANGE),
+        Line2D([], [], label=f"published short edge: {edge:g} nm", **style.PUBLISHED_LENGTH),
         Line2D([], [], lw=1.4, color="0.3", label=f"{confidence} interval (bars)"),
         Patch(label=f"change below {tolerance}", **panels.UNCHANGED_LOOK),
         Line2D([], [], ls="none", marker="<", ms=5, color="0.3", label="beyond the cutoffs"),

@@ -49,7 +49,7 @@ def _legend_handles(
     return [
         *style.legend_entries([curves]).values(),
         Line2D([], [], marker="|", ms=9, ls="none", label=interval, color="black"),
-        Line2D([], [], label=f"published range, ρ = {published:g} nm", **style.PUBLISHED_RANGE),
+        Line2D([], [], label=f"published range, ρ = {published:g} nm", **style.PUBLISHED_LENGTH),
     ]
 
 

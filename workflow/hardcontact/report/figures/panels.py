@@ -10,7 +10,7 @@ from matplotlib import rcParams
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 
-from hardcontact.base.formatting import format_share
+from hardcontact.base.formatting import format_length, format_share
 from hardcontact.base.statistics import interval_ends
 from hardcontact.inference.edges import MEAN_GROUP
 from hardcontact.report.figures import style
@@ -77,8 +77,7 @@ def draw_map(axes: Axes, heights: np.ndarray, size: float, colour: str) -> None:
     image = axes.imshow(heights, cmap="viridis", extent=(0, size, 0, size))
     bar = axes.figure.colorbar(image, ax=axes, shrink=0.9, pad=0.02)
     bar.ax.set_title("nm", fontsize=rcParams["xtick.labelsize"], loc="left", pad=3)
-    printed = f"{size:g} nm" if size < 1000 else f"{size / 1000:g} µm"
-    axes.set(xticks=[], yticks=[], xlabel=printed)
+    axes.set(xticks=[], yticks=[], xlabel=format_length(size))
     axes.spines[:].set(edgecolor=colour, linewidth=1.5)
 
 
@@ -194,6 +193,6 @@ def hatch_bands(axes: Axes, bands: Iterable[tuple[float, float]]) -> None:
 def finish_range_axis(axes: Axes, ranges: np.ndarray, published_constants: pd.DataFrame) -> None:
     """Draw the published range of adhesion (nm), and limit and label the x axis of ranges."""
     rho = published_constants["value"]["range_of_adhesion"]
-    axes.axvline(rho, zorder=1, **style.PUBLISHED_RANGE)
+    axes.axvline(rho, zorder=1, **style.PUBLISHED_LENGTH)
     axes.set(xlim=(ranges[0], ranges[-1]), xlabel="range of adhesion ρ (nm)")
     style.label_logarithmic(axes.xaxis, digits=(1, 3))

@@ -33,7 +33,6 @@ SIDE_LOOKS: dict[str, tuple[str, style.Look]] = {
 #: Looks of curves: the contact model of the answer first, then other models.
 MODEL_LOOKS: tuple[style.Look, ...] = ({"ls": "-"}, {"ls": "--", "mfc": "white"}, {"ls": ":"})
 KIND_COLOURS = {"map": "#332288", "line scan": "#882255", "description": "#999933"}
-SPHERE_COLOUR = "black"
 UNRELIABLE_LOOK: style.Look = {"color": "#999999", "mfc": "white", "ls": "--"}
 JOINED_LOOK: style.Look = {"color": "black", "ls": ":", "lw": 1.8, "zorder": 3}
 FITS_ALL_LOOK: style.Look = {"color": "0.3", "ls": "--", "marker": "", "label": "fits all"}
@@ -90,7 +89,8 @@ def draw_maps(datasets: Datasets) -> Figure:
     for axes, name in zip(column, names, strict=True):
         scan = topography.sel(surface=name)
         heights = panels.mean_free_heights(scan["example_heights"])
-        panels.draw_map(axes, heights, scan["scan_size"].item(), colours.get(name, SPHERE_COLOUR))
+        colour = colours.get(name, style.SPHERE_COLOUR)
+        panels.draw_map(axes, heights, scan["scan_size"].item(), colour)
     return figure
 
 
