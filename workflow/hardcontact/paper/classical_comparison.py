@@ -72,7 +72,10 @@ def apply_classical_models(
     for metrics in METRIC_PREFIXES:
         roughness = _sample_roughness(rows.loc[surfaces], metrics, sampling)
         samples = _model_samples(roughness, sphere, work, forces, effective_works)
-        models[(metrics,)] = _with_intervals(samples, sampling)
+        variables: dict[str, Any] = {}
+        for name, (dimensions, unit) in MODEL_VARIABLES.items():
+            variables |= sampling.as_variables(name, dimensions, samples[name], unit)
+        models[(metrics,)] = xr.Dataset(variables)
     return (
         stack(models, ["metrics"])
         .merge(_forces_and_works(forces, effective_works, sampling.confidence))
@@ -124,14 +127,6 @@ def _sample_roughness(rows: pd.DataFrame, metrics: str, sampling: Sampling) -> R
         samples = truncnorm.rvs(-mean / spread, np.inf, mean, spread, size=size, random_state=rng)
         samples_by_quantity.append(np.vstack([mean, samples]))
     return Roughness(*samples_by_quantity)
-
-
-def _with_intervals(samples: Mapping[str, Floats], sampling: Sampling) -> xr.Dataset:
-    """Return MODEL_VARIABLES with intervals, from arrays with the value before its samples."""
-    variables: dict[str, Any] = {}
-    for name, (dimensions, unit) in MODEL_VARIABLES.items():
-        variables |= sampling.as_variables(name, dimensions, samples[name], unit)
-    return xr.Dataset(variables)
 
 
 def _smooth_contact(sphere: ElasticSphere, work: float, preload: float) -> xr.Dataset:

@@ -30,8 +30,5 @@ def compute_edge_shifts(forces: xr.Dataset, tolerance: float, sampling: Sampling
     edge_shift = sampling.as_variables(
         "edge_shift", ("cause", "side", "group"), np.stack(shifts, axis=1), DIMENSIONLESS
     )
-    return (
-        edges.assign_coords(cause=list(without_cause))
-        .assign(edge_shift)
-        .assign_attrs(tolerance=tolerance, confidence=sampling.confidence)
-    )
+    edge_shifts = edges.assign_coords(cause=list(without_cause)).assign(edge_shift)
+    return edge_shifts.assign_attrs(tolerance=tolerance, confidence=sampling.confidence)

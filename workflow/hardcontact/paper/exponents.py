@@ -75,8 +75,7 @@ def _fit_all_edges(forces: xr.Dataset, tolerance: float) -> Floats:
     """Return the exponents (surface, side, exponent_of) of the edges of all surfaces."""
     touching_area = forces["touching_area"].isel(surface=0, realization=0)
     log_lengths = [np.log(forces["radius"]) / 2, np.log(touching_area) / 2]
-    ratios = forces["filtered_force_ratio"].mean("realization", skipna=False)
-    curves = xr.ufuncs.log(ratios)
+    curves = xr.ufuncs.log(forces["filtered_force_ratio"].mean("realization", skipna=False))
     edges = find_edges(curves, logarithmic_limits(tolerance), forces["spectrum_end"])
     exponents: xr.DataArray = xr.apply_ufunc(
         _fit_edges_of_surface,

@@ -124,8 +124,7 @@ def _misfit(
     from scipy.stats import kstest
 
     def distance(forces: Floats) -> float:
-        test = kstest(forces, distribution, parameters(forces), method="asymp")
-        return float(test.statistic)
+        return float(kstest(forces, distribution, parameters(forces), method="asymp").statistic)
 
     return _force_statistic(adhesion, distance)
 
