@@ -53,6 +53,18 @@ def pytest_collection_modifyitems(items):
 
 
 @pytest.fixture
+def write_table(tmp_path):
+    """Return a function that writes lines as a table, and returns its path."""
+
+    def write(*lines):
+        path = tmp_path / "my.csv"
+        path.write_text("\n".join(lines) + "\n", "utf-8")
+        return str(path)
+
+    return write
+
+
+@pytest.fixture
 def project_folder(monkeypatch):
     """Work in the top folder of the repository."""
     monkeypatch.chdir(ROOT)

@@ -28,18 +28,6 @@ BY_WAVEVECTOR = "wavevector,wavevector_unit,c_iso,c_iso_unit"
 CONTACT = contact_of_area(250e3, 5.6, 0.0463, 400.0)
 
 
-@pytest.fixture
-def table(tmp_path):
-    """Write lines as a table; return its path."""
-
-    def written(*lines):
-        path = tmp_path / "my.csv"
-        path.write_text("\n".join(lines) + "\n", "utf-8")
-        return str(path)
-
-    return written
-
-
 def rows_of(spectrum):
     """Return a spectrum as a header and rows of a table in other units."""
     has_roughness = spectrum.density > 0
@@ -54,19 +42,19 @@ def rows_of(spectrum):
 # Tables
 
 
-def test_a_table_may_have_any_units_order_and_zeros(table):
+def test_a_table_may_have_any_units_order_and_zeros(write_table):
     rows = [
         "1,um,2e-30,m4", "500,nm,1e6,nm4", "100,nm,5e4,nm⁴", "0.01,µm,3,nm4", "50,nm,1e4,nm^4",
         "5,nm,0,nm4",
     ]  # fmt: skip
-    spectrum = read_spectrum_table(table(HEADER, *rows))
+    spectrum = read_spectrum_table(write_table(HEADER, *rows))
     assert spectrum.wavelength == pytest.approx([1000, 500, 100, 50, 10, 5])
     assert spectrum.density == pytest.approx([2e6, 1e6, 5e4, 1e4, 3, 0])
     assert spectrum(2 * np.pi / np.array([5, 3])) == pytest.approx(0, abs=1e-90)
     wavevector = np.geomspace(0.01, 1, 9)
     profile = 1e-2 * wavevector**-2.6
     rows = [f"{q:.17g},rad/nm,{c:.17g},nm3" for q, c in zip(wavevector, profile, strict=True)]
-    spectrum = read_spectrum_table(table("wavevector,wavevector_unit,c_1d,c_1d_unit", *rows))
+    spectrum = read_spectrum_table(write_table("wavevector,wavevector_unit,c_1d,c_1d_unit", *rows))
     isotropic_density = isotropic_from_profile(wavevector, profile, np.full(9, 20.0))
     assert spectrum.density == pytest.approx(isotropic_density)
 
@@ -94,9 +82,9 @@ FAULTY = [
 ]
 
 
-def test_each_fault_of_a_spectrum_table_has_its_line(table):
+def test_each_fault_of_a_spectrum_table_has_its_line(write_table):
     for lines, message_parts in FAULTY:
-        assert_says(refusal(predict_text, table(*lines)), *message_parts)
+        assert_says(refusal(predict_text, write_table(*lines)), *message_parts)
 
 
 def test_faulty_options_are_reported_with_the_faults_of_the_table(tmp_path):
@@ -115,8 +103,8 @@ def test_faulty_options_are_reported_with_the_faults_of_the_table(tmp_path):
     assert not any(tmp_path.iterdir())
 
 
-def test_nothing_is_replaced_unasked(table, tmp_path):
-    path = table(*rows_of(self_affine_spectrum(17, 1000, 0.8, 20)))
+def test_nothing_is_replaced_unasked(write_table, tmp_path):
+    path = write_table(*rows_of(self_affine_spectrum(17, 1000, 0.8, 20)))
     numbers = tmp_path / "numbers.json"
     numbers.write_text("{}")
     assert_says(
@@ -137,10 +125,10 @@ def test_nothing_is_replaced_unasked(table, tmp_path):
 # Numbers
 
 
-def test_numbers_and_words_are_those_of_the_closed_form(table):
+def test_numbers_and_words_are_those_of_the_closed_form(write_table):
     spectrum = self_affine_spectrum(17, 1000, 0.8, 20)
     options = ["--range", "8nm", "--work", "50 mJ/m2"]
-    numbers = predict_json(table(*rows_of(spectrum)), *options)
+    numbers = predict_json(write_table(*rows_of(spectrum)), *options)
     contact = contact_of_area(250e3, 8.0, 0.05, 400.0)
     prediction = closed_form(spectrum, contact)
     force = numbers["closed_form_force"]
@@ -153,15 +141,15 @@ def test_numbers_and_words_are_those_of_the_closed_form(table):
     for name, edge in zip(("short_edge", "long_edge"), band, strict=True):
         assert numbers[name]["value"] == pytest.approx(edge)
         assert numbers[name]["interval"][0] < edge
-    words = predict_text(table(*rows_of(spectrum)), *options)
+    words = predict_text(write_table(*rows_of(spectrum)), *options)
     assert_says(words, f"closed form, for the spectrum: {round(1e9 * prediction.force, -1):g} nN")
     assert len(words.splitlines()) <= 5
 
 
-def test_unknown_quantities_have_a_status_and_no_number(table):
+def test_unknown_quantities_have_a_status_and_no_number(write_table):
     """An almost smooth surface has no edge; the prediction reports where its error is unknown."""
     numbers = predict_json(
-        table(*rows_of(self_affine_spectrum(0.02, 1000, 0.8, 20))), "--radius", "5um"
+        write_table(*rows_of(self_affine_spectrum(0.02, 1000, 0.8, 20))), "--radius", "5um"
     )
     assert numbers["short_edge"] == {"value": None, "unit": "nm", "status": "none"}
     assert numbers["weibull_modulus"]["status"] == "smooth"
@@ -169,10 +157,10 @@ def test_unknown_quantities_have_a_status_and_no_number(table):
     assert "interval" not in numbers["closed_form_force"]
 
 
-def test_short_waves_missing_from_the_table_are_extrapolated(table):
+def test_short_waves_missing_from_the_table_are_extrapolated(write_table):
     """The missing waves of an optical spectrum change the force, unless the table ends with 0."""
     rows = rows_of(self_affine_spectrum(17, 4000, 0.8, 1500))
-    numbers, spectrum = predict_json(table(*rows)), read_spectrum_table(table(*rows))
+    numbers, spectrum = predict_json(write_table(*rows)), read_spectrum_table(write_table(*rows))
     variance = np.full(spectrum.density.shape, CALIBRATION_SCATTER**2)
     fit = fit_hurst_exponent(spectrum.wavevector, spectrum.density, variance)
     density, _ = extrapolate_short_waves(spectrum.wavevector, spectrum.density, fit)
@@ -180,7 +168,7 @@ def test_short_waves_missing_from_the_table_are_extrapolated(table):
     assert numbers["extrapolated_force"]["value"] == pytest.approx(extrapolated_force, rel=1e-6)
     assert numbers["extrapolated_change"]["status"] == "matters"
     for ended in ([*rows, "1,rad/nm,0,nm4"], rows_of(self_affine_spectrum(17, 1000, 0.8, 0.1))):
-        numbers = predict_json(table(*ended))
+        numbers = predict_json(write_table(*ended))
         assert "extrapolated_force" not in numbers
         assert numbers["extrapolated_change"]["status"] == "negligible"
 
@@ -212,9 +200,9 @@ def test_implausible_quantities_are_questioned(name, usual, questioned):
             assert all(line.startswith(f"--{name} {text}: is the unit right?") for line in lines)
 
 
-def test_a_compliant_sphere_has_a_large_tabor_parameter(table):
+def test_a_compliant_sphere_has_a_large_tabor_parameter(write_table):
     """A smooth sphere has the Tabor parameter (R W²/(E*² rho³))^(1/3)."""
-    path = table(*rows_of(self_affine_spectrum(17, 1000, 0.8, 20)))
+    path = write_table(*rows_of(self_affine_spectrum(17, 1000, 0.8, 20)))
     hard, soft = (predict_json(path, "--modulus", modulus) for modulus in ("290GPa", "1MPa"))
     number = (250e-6 * 0.0463**2 / (1e6**2 * 5.6e-9**3)) ** (1 / 3)
     assert soft["tabor_parameter"]["value"] == pytest.approx(number, rel=1e-3)

@@ -9,21 +9,11 @@ SURFACES = ["coating", "bare"]
 RADIUS = 250e3
 
 
-@pytest.fixture
-def table(tmp_path):
-    def write(*lines):
-        path = tmp_path / "my.csv"
-        path.write_text("\n".join(lines) + "\n", "utf-8")
-        return path
-
-    return write
-
-
-def test_a_table_may_have_decimal_commas_between_semicolons(table):
-    commas = table("surface;median;mean;count;unit", "bare;1,0591e1;11,749;40;µN")
+def test_a_table_may_have_decimal_commas_between_semicolons(write_table):
+    commas = write_table("surface;median;mean;count;unit", "bare;1,0591e1;11,749;40;µN")
     (row,) = read_forces(commas, SURFACES, RADIUS).itertuples(index=False)
     assert row == ("bare", 1.1749e-5, 1.0591e-5, 40, "")
-    points = table("surface;value;unit", "bare;11.5;uN")
+    points = write_table("surface;value;unit", "bare;11.5;uN")
     assert read_forces(points, SURFACES, RADIUS)["mean"].tolist() == [1.15e-5]
 
 
@@ -45,25 +35,25 @@ def test_forces_are_read_in_the_units_that_people_have(tmp_path, header, row):
     assert forces.iloc[0].tolist()[1:] == pytest.approx([1e-5, 1e-5, 1, ""], rel=1e-8)
 
 
-def test_a_table_of_one_surface_needs_no_name(table):
-    path = table("Adhesion (nN)", "400")
+def test_a_table_of_one_surface_needs_no_name(write_table):
+    path = write_table("Adhesion (nN)", "400")
     assert read_forces(path, ["bare"], RADIUS).iloc[0].tolist() == ["bare", 4e-7, 4e-7, 1, ""]
     assert_says(refusal(read_forces, path, SURFACES, RADIUS), "surface, value, unit")
 
 
-def test_a_second_column_of_forces_is_not_read(table):
-    path = table("surface,value (nN),error (nN)", "bare,400,30")
+def test_a_second_column_of_forces_is_not_read(write_table):
+    path = write_table("surface,value (nN),error (nN)", "bare,400,30")
     assert read_forces(path, SURFACES, RADIUS)["mean"].tolist() == [4e-7]
-    path = table("surface,adhesion (nN),error (nN)", "bare,400,30")
+    path = write_table("surface,adhesion (nN),error (nN)", "bare,400,30")
     assert_says(refusal(read_forces, path, SURFACES, RADIUS), "adhesion, error")
 
 
-def test_a_count_needs_a_mean_and_a_median(table):
-    path = table("surface,value,unit,count", "bare,5,nN,40")
+def test_a_count_needs_a_mean_and_a_median(write_table):
+    path = write_table("surface,value,unit,count", "bare,5,nN,40")
     assert_says(refusal(read_forces, path, SURFACES, RADIUS), "count", "found 40")
 
 
-def test_each_kind_of_fault_of_a_table_of_forces_has_its_line(table):
+def test_each_kind_of_fault_of_a_table_of_forces_has_its_line(write_table):
     faults = [
         (
             2,
@@ -80,7 +70,7 @@ def test_each_kind_of_fault_of_a_table_of_forces_has_its_line(table):
         (12, ["bare,0.5"], ["expected 3 cells, found 2"]),
         (13, ["bare,1e-320,uN"], ["1 fN to 1 kN", "1e-320 uN"]),
     ]
-    path = table("surface,value,unit", *(row for _, rows, _ in faults for row in rows))
+    path = write_table("surface,value,unit", *(row for _, rows, _ in faults for row in rows))
     message = refusal(read_forces, path, SURFACES, RADIUS)
     for line, (number, _, parts) in zip(message.splitlines(), faults, strict=True):
         assert_says(line, f"{path}: line {number}", *parts)
@@ -94,8 +84,10 @@ def test_each_kind_of_fault_of_a_table_of_forces_has_its_line(table):
         ("bare,0.3,0.4,9,uN", ["at most the mean", "0.4 beside 0.3"]),
     ],
 )
-def test_a_summary_needs_one_row_per_surface_and_a_median_below_the_mean(table, row, message_parts):
-    path = table("surface,mean,median,count,unit", "coating,0.4,0.3,40,uN", row)
+def test_a_summary_needs_one_row_per_surface_and_a_median_below_the_mean(
+    write_table, row, message_parts
+):
+    path = write_table("surface,mean,median,count,unit", "coating,0.4,0.3,40,uN", row)
     assert_says(refusal(read_forces, path, SURFACES, RADIUS), "line 3", *message_parts)
 
 
@@ -128,6 +120,6 @@ def test_a_table_of_200_mb_is_not_read(tmp_path):
     assert_says(message, "my.csv", "of at most 10 MB, found 200 MB")
 
 
-def test_a_column_that_resembles_none_is_ignored(table):
-    path = table("surface,operator,value,unit", "bare,a,1,uN")
+def test_a_column_that_resembles_none_is_ignored(write_table):
+    path = write_table("surface,operator,value,unit", "bare,a,1,uN")
     assert read_forces(path, SURFACES, RADIUS)["mean"].tolist() == [1e-6]

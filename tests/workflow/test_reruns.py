@@ -29,6 +29,7 @@ from repository import (
 )
 
 import hardcontact
+from hardcontact.config.configuration import set_keys
 
 pytestmark = pytest.mark.study
 
@@ -180,13 +181,6 @@ def test_rewritten_files_of_the_same_meaning_make_nothing(dry):
 KEEPS_EVERY_KEY = {"describe_study", "answer_paper"}
 
 
-def overlay(key, value):
-    """Return the overlay that gives this value to a key with dots."""
-    for key_name in reversed(key.split(".")):
-        value = {key_name: value}
-    return value
-
-
 def keep_metadata(folder):
     """Leave what Snakemake remembers of a run."""
 
@@ -222,7 +216,7 @@ def test_a_changed_key_repeats_exactly_its_dependents(
     dry, graph, key, value, concerned, change_metadata
 ):
     """The study's records decide, whatever Snakemake remembers of the run."""
-    planned_jobs = dry(overlay(key, value), change_metadata)
+    planned_jobs = dry(set_keys({}, {key: value}), change_metadata)
     assert rules_of(planned_jobs) == graph.following(
         graph.files_of_rules(concerned | KEEPS_EVERY_KEY)
     )
