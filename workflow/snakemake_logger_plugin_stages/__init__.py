@@ -29,7 +29,7 @@ from snakemake_logger_plugin_stages.home import provide_home
 HOME = Path(".snakemake/home")
 #: Seconds without a line after which a line reports the progress: nobody waits longer in doubt.
 MAX_SILENCE_SECONDS = 30
-#: Share of a run in whose time the table of costs weighs as much as the finished jobs.
+#: When jobs of this share of the planned cost are finished, their time counts as much as the table.
 PRIOR_SHARE = 0.2
 #: Exceptions that repeat the failure of a job.
 JOB_EXCEPTIONS = ("CalledProcessError", "RuleException")
@@ -145,8 +145,8 @@ class LogHandler(LogHandlerBase):
     def _progress(self) -> str:
         """Return the number of finished jobs, and the remaining time from the costs of jobs.
 
-        The table of costs weighs as much as a PRIOR_SHARE of the run: finished jobs alone leave out
-        the work of unfinished ones, which is most of it at first.
+        At first the table of costs counts more than the time of finished jobs, because most of the
+        time has then gone into unfinished jobs.
         """
         planned, finished = self._cost(self._planned), self._cost(self._done)
         prior = PRIOR_SHARE * planned

@@ -1,4 +1,4 @@
-"""The words of Snakemake's command line that it does not explain itself when they are wrong."""
+"""Faults of the command line of a run that Snakemake does not explain."""
 
 import sys
 from argparse import ArgumentParser, Namespace

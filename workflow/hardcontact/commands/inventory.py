@@ -151,7 +151,7 @@ def scans_by_surface(scans: Sequence[UserScan]) -> dict[str, list[UserScan]]:
 
 
 def _measure_scan(scan_file: ScanFile, scan: HeightMap, options: ReadingOptions) -> UserScan:
-    """Return what is stated and measured of a scan; raise ValueError if its height is constant."""
+    """Return a scan of the user, measured; raise ValueError if its height is constant."""
     relief = np.ptp(scan.heights)
     if relief == 0:
         raise ValueError(f"{scan_file.file}: expected a rough surface, found constant height")

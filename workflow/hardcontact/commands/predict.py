@@ -34,7 +34,7 @@ from hardcontact.scans.heights import TAKE_CARE
 from hardcontact.theory.closed_form import wide_contact_message
 from hardcontact.theory.prediction import MAX_NEGLIGIBLE_CHANGE
 
-#: The paper's study, whose settings hold where a prediction has no option.
+#: The paper's study. Its settings serve where the command has no option.
 PAPER_STUDY = Study()
 CONTACTS_PER_ROW = PAPER_STUDY.contact.contacts_per_row
 USAGE = Path(__file__).with_name("predict_help.txt").read_text("utf-8")

@@ -22,7 +22,7 @@ EXPECTED_VALUES = {
     "int_type": "a whole number",
     "model_type": "a mapping",
 }
-#: What stands around the accepted values in pydantic's other messages, such as "Input should be
+#: The words around the accepted values in pydantic's other messages, such as "Input should be
 #: less than or equal to 200" and "List should have at least 1 item after validation, not 0".
 PYDANTIC_PHRASES = re.compile(r"^\w+ should (be|have) |\bvalid | after validation, not \d+$|'")
 #: Types of errors of a key that the model does not have.

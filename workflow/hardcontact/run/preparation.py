@@ -26,7 +26,7 @@ def prepare_run(workflow: Any) -> None:
     Jobs keep freed memory, Ctrl-C kills the run, and records decide what runs again.
     """
     min_version(MIN_SNAKEMAKE)
-    # On a full disk Snakemake's own log cannot be written: what it prints is enough, no tracebacks.
+    # On a full disk Snakemake cannot write its log, and would print a traceback for each message.
     logging.raiseExceptions = False
     _refuse_elsewhere(workflow)
     # Jobs inherit these variables; values set by the user are kept.
