@@ -90,10 +90,6 @@ class ContactPixels(NamedTuple):
     reference_gaps: Floats
     offsets: NDArray[np.int_]  #: (..., k, 2) pixels from the apex: row, column.
 
-    def lowest_of_contact(self, index: tuple[int, ...], count: int) -> "ContactPixels":
-        """Return the pixels of one contact with the smallest reference gaps."""
-        return ContactPixels(self.reference_gaps[index][:count], self.offsets[index][:count])
-
 
 class WindowCells(NamedTuple):
     """Cells in the windows of contacts, ordered by contact."""

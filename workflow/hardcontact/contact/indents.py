@@ -77,10 +77,11 @@ def indents_of_scans(
 def _sizes_of_bodies(bodies: Bodies, loaded_contacts: Sequence[Contact]) -> xr.Dataset:
     """Return the sizes of indents (preload, contact_y, contact_x) of two bodies."""
     counts = pixel_counts(bodies, loaded_contacts)
-    contact_pixels = all_contact_pixels(bodies, max(counts))
-    array_shape = contact_pixels.reference_gaps.shape[:2]
+    gaps, offsets = all_contact_pixels(bodies, max(counts))
+    array_shape = gaps.shape[:2]
+    pixel_size = bodies.geometry.pixel_size
     sizes = [
-        indent_sizes(contact_pixels.lowest_of_contact(index, count), bodies.geometry.pixel_size)
+        indent_sizes(ContactPixels(gaps[index][:count], offsets[index][:count]), pixel_size)
         for count in counts
         for index in np.ndindex(*array_shape)
     ]
