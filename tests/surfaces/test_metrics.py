@@ -11,7 +11,7 @@ from hardcontact.surfaces.metrics import metrics
 @pytest.mark.parametrize("shape", [(64, 64), (30, 47)])
 def test_metrics_equal_those_of_surface_topography_and_scipy(shape):
     heights = np.random.default_rng(3).standard_normal(shape).cumsum(axis=0)
-    scan = HeightMap(heights, 4.9, periodic=False, source="measured")
+    scan = HeightMap(heights, 4.9)
     values, topography = metrics(scan), to_surface_topography(scan)
     for name, value in (
         ("rms_height", topography.Sq()),

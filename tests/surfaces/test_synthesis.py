@@ -37,7 +37,7 @@ def test_scans_have_the_spectrum_they_are_made_from():
 
 
 def test_the_apex_of_a_sphere_lies_in_the_middle_half_of_its_scan():
-    flat = HeightMap(np.zeros((64, 64)), 40.0, periodic=False, source="substitute")
+    flat = HeightMap(np.zeros((64, 64)), 40.0)
     for k in range(20):
         scan = add_sphere_shape(generator(k), flat, 250e3)
         row, column = np.unravel_index(scan.heights.argmax(), scan.heights.shape)
@@ -74,7 +74,7 @@ def test_short_edge_master_keeps_the_scan_above_the_transition(mirrored):
 
 def test_short_edge_master_adds_the_spectrum_below_and_a_plateau_above(mirrored):
     # The scan's part set to zero: what is left is the added roughness alone.
-    flat = HeightMap(np.zeros_like(mirrored.heights), 20.0, periodic=True, source="measured")
+    flat = HeightMap(np.zeros_like(mirrored.heights), 20.0, periodic=True)
     masters = [short_edge_master(generator(9, k), flat, 512, 100.0, UNCD) for k in range(8)]
     powers = [np.abs(np.fft.fft2(master.heights)) ** 2 for master in masters]
     power = np.mean(powers, axis=0) * (5 / 512) ** 2
@@ -95,7 +95,7 @@ def test_long_edge_master_keeps_the_scan_below_the_transition(mirrored):
 
 
 def test_long_edge_master_adds_the_spectrum_above_the_transition(mirrored):
-    flat = HeightMap(np.zeros_like(mirrored.heights), 20.0, periodic=True, source="measured")
+    flat = HeightMap(np.zeros_like(mirrored.heights), 20.0, periodic=True)
     masters = [long_edge_master(generator(3, k), flat, 2, 500.0, UNCD) for k in range(12)]
     pixels, radius = masters[0].pixels, radii(masters[0].pixels, 20.0)
     powers = [np.abs(np.fft.fft2(master.heights)) ** 2 for master in masters]

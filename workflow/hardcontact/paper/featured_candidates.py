@@ -60,7 +60,7 @@ def compute_candidates(
             forces = smooth_sphere_forces(scan, contact, ranges)
             roughness = metrics_dataset(scan, TABLE1_METRICS.values())
             scan_results[(index,)] = roughness.assign(pull_off_force=forces)
-        candidates.append(stack(scan_results, ["scan"]).assign(featured.describe(features)))
+        candidates.append(stack(scan_results, ["scan"]).assign(featured.to_variables(features)))
     return xr.concat(candidates, pd.Index(list(numbers), name="candidate"))
 
 

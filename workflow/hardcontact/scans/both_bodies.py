@@ -50,11 +50,12 @@ def combine_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
     A measurement is reliable where its body has most of the power. ``sphere_share``
     (bin_wavevector) is the sphere's share of the power.
     """
-    densities = [spectrum_of_dataset(body)(BIN_CENTRES) for body in (substrate, sphere)]
-    total = sum(densities)
+    substrate_density = spectrum_of_dataset(substrate)(BIN_CENTRES)
+    sphere_density = spectrum_of_dataset(sphere)(BIN_CENTRES)
+    total = substrate_density + sphere_density
     with np.errstate(invalid="ignore"):
-        share = densities[1] / total
-    is_sphere = densities[1] > densities[0]
+        share = sphere_density / total
+    is_sphere = sphere_density > substrate_density
     bodies = [_limit_to_dominant(substrate, ~is_sphere), _limit_to_dominant(sphere, is_sphere)]
     measurements = xr.concat(
         bodies, "measurement", data_vars="minimal", coords="minimal", compat="override"

@@ -151,25 +151,13 @@ def _notes_on_unused_options(channel: Any, unit: str, map_size: float | str) -> 
 
 def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[str]]:
     """Return the topography of a channel, and in words the metadata that completed its file."""
-    is_text = isinstance(channel.reader, AscReader)
-    if is_text and channel.physical_sizes is None and channel.nb_grid_pts[0] <= POINT_COLUMNS:
-        raise RefusedFile(
-            "expected points x, y, height on a regular grid of which at least half are there, or a "
-            f"matrix of more columns, found {channel.nb_grid_pts[0]} columns on no such grid: "
-            "interpolate the points on a grid, for example with Gwyddion"
-        )
+    _refuse_point_columns(channel)
     refuse_point_counts(channel.nb_grid_pts)
     has_positions = channel.dim == 1 and channel.is_uniform is False
     size = None if has_positions else tuple(metadata.get("size") or ()) or None
     _refuse_impossible_metadata(channel, size, metadata.get("height_scale"))
     if channel.physical_sizes is None and size is None and not has_positions:
-        lacks_unit = channel.unit is None and "unit" not in metadata
-        remedy = ", and --unit nm (scan.unit: nm) the unit of the heights" if lacks_unit else ""
-        raise RefusedFile(
-            f"expected a file that states the physical size{' and unit' if lacks_unit else ''} of "
-            "the scan, found none: --size 5000nm (scan.map_size: 5000nm) gives the longer side"
-            + remedy
-        )
+        _refuse_without_size(lacks_unit=channel.unit is None and "unit" not in metadata)
     arguments = _accepted_arguments(channel, metadata | {"size": size})
     topography = channel.topography(**arguments)
     is_text_line = isinstance(channel.reader, XYZReader) and topography.dim == 1
@@ -181,6 +169,26 @@ def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[
         metadata = metadata | {"size": " x ".join(f"{length:.6g}" for length in size)}
     keys = [KEY_BY_ARGUMENT[argument] for argument in arguments]
     return topography, [f"{key} {metadata[key]}" for key in keys]
+
+
+def _refuse_point_columns(channel: Any) -> None:
+    """Refuse a text of points that lie on no grid, which its reader takes for a matrix."""
+    is_text = isinstance(channel.reader, AscReader)
+    if is_text and channel.physical_sizes is None and channel.nb_grid_pts[0] <= POINT_COLUMNS:
+        raise RefusedFile(
+            "expected points x, y, height on a regular grid of which at least half are there, or a "
+            f"matrix of more columns, found {channel.nb_grid_pts[0]} columns on no such grid: "
+            "interpolate the points on a grid, for example with Gwyddion"
+        )
+
+
+def _refuse_without_size(*, lacks_unit: bool) -> None:
+    """Refuse a file without a physical size, and say how to give it, and a missing unit."""
+    remedy = ", and --unit nm (scan.unit: nm) the unit of the heights" if lacks_unit else ""
+    raise RefusedFile(
+        f"expected a file that states the physical size{' and unit' if lacks_unit else ''} of the "
+        "scan, found none: --size 5000nm (scan.map_size: 5000nm) gives the longer side" + remedy
+    )
 
 
 def _refuse_impossible_metadata(

@@ -195,7 +195,7 @@ class FeaturedSurface(NamedTuple):
         sign = FEATURE_SIGNS[kind]
         return sample_permitted_features(rng, self.statistics, scan_count, grid, sign)
 
-    def describe(self, features: Features) -> dict[str, xr.Variable]:
+    def to_variables(self, features: Features) -> dict[str, xr.Variable]:
         """Return features as variables of a dataset."""
         base_rms_height = features.base_factor * float(self.statistics.means[0])
         return {
@@ -292,7 +292,7 @@ def make_featured_scans(
     """
     surface = featured_surface(substitute)
     features, scans = nearest_featured_scans(surface, scan_numbers)
-    variables = surface.describe(features)
+    variables = surface.to_variables(features)
     variables["feature_count"] = xr.Variable("scan", list(features.counts), DIMENSIONLESS)
     met_rows = substitute.spectrum_data.attrs["table1_rows_met"]
     attributes = {"source": "substitute", "table1_rows_met": met_rows}
