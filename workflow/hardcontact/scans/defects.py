@@ -62,7 +62,7 @@ MAX_END_PIXELS = 10
 MAX_CLIPPING_RATIO = 3.0
 #: Share of the steepest pixels, which may be sidewalls.
 SIDEWALL_PIXEL_SHARE = 0.05
-#: Least share of sidewalls in the squared slopes: the steepest pixels have 0.2 to 0.45 of them on
+#: Least share of sidewalls in the squared slopes. The steepest pixels have 0.2 to 0.45 of them on
 #: rough surfaces, 0.8 to 1 with pillars and steps.
 MIN_SIDEWALL_SLOPE_SHARE = 0.7
 
@@ -72,9 +72,8 @@ def scan_defects(
 ) -> dict[str, Defect]:
     """Return the defects of a scan by code, each with its numbers as in DEFECTS; empty for none.
 
-    Heights in nm, before and after levelling, are (y, x), or (n,) of a line scan. A defect is not
-    looked for beside others that look like it, as equal lines look like a lay, or hide it, as
-    sidewalls hide white noise.
+    Heights in nm, before and after levelling, are (y, x), or (n,) of a line scan. Beside
+    some defects others are not looked for: equal lines look like a lay, sidewalls hide white noise.
     """
     defects: dict[str, Defect] = {}
     measured_heights = raw_heights

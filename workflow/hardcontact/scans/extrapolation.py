@@ -1,8 +1,8 @@
 """The extrapolation of a spectrum beyond the wavelengths measured: a tail and a roll-off.
 
 The tail lies below the shortest wavelength measured. It is self-affine, with the Hurst exponent of
-the shortest decade measured, and ends at atoms, or where slope or curvature over all scales would
-exceed those of the roughest surface in Table 1.
+the shortest decade measured. It ends at atoms, or where slope or curvature over all scales would
+exceed that of the roughest surface in Table 1.
 
 The roll-off lies above the longest wavelength measured. C_iso rises up to it, and is constant
 beyond. In a scan such long waves are slopes and bows. Levelling leaves some of their variance, from
@@ -43,7 +43,7 @@ SHARPNESS = (1.0, 2.0, 4.0)
 #: Bounds of the fitted roll-off: factors on the lowest and the highest wavevector. Below, the fit
 #: is a power law; above, hardly a bin is left for the exponent.
 ROLLOFF_BOUNDS = (0.1, 0.7)
-#: Number of roll-off wavelengths compared: on a scan of 10 µm, four times as many changed the
+#: Number of roll-off wavelengths compared. On a scan of 10 µm, four times as many changed the
 #: roll-off by 6 %, far less than its uncertainty, and the Hurst exponent by 0.0002.
 ROLLOFF_COUNT = 61
 #: Standard deviation of the Hurst exponent below the wavelengths measured: surfaces are self-affine
@@ -57,8 +57,8 @@ NEGLIGIBLE_SHARE = 1e-9
 #: Ratio of the longest possible roll-off wavelength to the size of the scan: a scan shows longer
 #: waves as slopes, which levelling removes.
 MAX_ROLLOFF_OVER_SIZE = 10.0
-#: Number of directions of waves over which `share_after_levelling` averages: more change it by less
-#: than 0.5 % for a line scan, and 1e-6 for a map.
+#: Number of directions of waves over which `share_after_levelling` averages. More directions change
+#: it by less than 0.5 % for a line scan, and 1e-6 for a map.
 DIRECTION_COUNT = 64
 
 

@@ -26,7 +26,7 @@ MAX_UNCURVED_SHARE = 0.9
 MIN_SECOND_ORDER_RATIO = 50.0
 #: Points per row to which polynomials are fitted.
 POLYNOMIAL_POINTS = 32
-#: Smallest correlation of a step from line to line with the next step: it is 0 if heights walk at
+#: Smallest correlation of a step from line to line with the next step. It is 0 if heights walk at
 #: random, -0.5 if noise of the instrument offsets each line.
 MIN_STEP_CORRELATION = -0.25
 #: Largest ratio of powers: a pattern without noise would have an infinite ratio.

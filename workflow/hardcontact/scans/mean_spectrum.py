@@ -10,11 +10,11 @@ from hardcontact.base.arrays import Floats
 from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER, bias_of_log, variance_of_log
 from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_WIDTH, Spectrum
 
-#: Standard deviation of the change of the slope d ln C/d ln q over a decade: a roll-off changes it
-#: by 2 + 2H, some 3.6, once in three measured decades.
+#: Standard deviation of the change of the slope d ln C/d ln q over a decade. A roll-off changes the
+#: slope by 2 + 2H, some 3.6, once in three measured decades.
 SLOPE_CHANGE = 2.0
 #: A bin holds a peak, such as a grating's, if chance gives so much power with less than this
-#: probability: among 60 bins, one in 170 spectra has a false peak.
+#: probability. Among 60 bins, one in 170 spectra has a false peak.
 PEAK_PROBABILITY = 1e-4
 #: Bound of the search in `match_height_variance`: no ln C changes so much.
 MAX_LOG_CHANGE = 20.0

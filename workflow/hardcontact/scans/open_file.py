@@ -46,8 +46,8 @@ VALUE_UNIT = re.compile(r"(?:value units|z-unit|unit data)\s*[:=]\s*(\S+)", re.I
 #: What to do with a file whose heights no reader takes.
 SAVE_AS_TEXT = "save the heights as text or netCDF, for example with Gwyddion"
 PICTURE = f"a picture, whose grey values are not heights: {SAVE_AS_TEXT}"
-#: Types of files without heights on a grid, for which no reader is tried: in words with the remedy,
-#: with the first bytes of such files.
+#: Types of files without heights on a grid, by a description with the remedy: their first bytes. No
+#: reader is tried.
 TYPES_WITHOUT_HEIGHTS = {
     PICTURE: (b"P2\n", b"P5\n", b"\x89PNG", b"\xff\xd8\xff", b"GIF8"),
     "a model of triangles or points: save its points as a text of x, y, height": (
@@ -55,7 +55,7 @@ TYPES_WITHOUT_HEIGHTS = {
     ),
     f"a document: {SAVE_AS_TEXT}": (b"%PDF",),
 }  # fmt: skip
-#: The same for types of which a reader may take some files.
+#: The same for types of files that some reader may take.
 TYPES_OFTEN_REFUSED = {
     "a compressed file of MountainsMap: save it without compression": (b"DSCOMPRESSED",),
     "an archive: unpack it, and give the scans in it": (

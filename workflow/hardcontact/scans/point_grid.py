@@ -14,8 +14,8 @@ from hardcontact.scans.heights import MAX_UNDEFINED_SHARE, PIXEL_BOUNDS, POSITIO
 
 #: Bins of positions along an axis.
 POSITION_BINS = 2**16
-#: Zeros pad the histogram of positions to this multiple of its length before its Fourier transform,
-#: so that peaks are known to a sixteenth of a line.
+#: Zeros pad the histogram of positions to this multiple of its length before its Fourier transform.
+#: Peaks are then known to a sixteenth of a line.
 ZERO_PADDING = 8
 #: Corrections of heights on a grid. Each leaves at most a quarter of the error, if points lie a
 #: tenth of a spacing beside the grid.

@@ -38,8 +38,8 @@ MIN_OVERLAP = 0.5
 MIN_RELATIVE_VARIANCE_PRODUCT = 1e-9
 #: Largest ratio of the sides of two maps: a smaller part of an area shows other waves.
 MAX_SIZE_RATIO = 1.25
-#: Standard errors between the mean logarithms of scans that contradict each other: a factor of 3.1
-#: in C_iso, 1.8 in heights, if both have many modes.
+#: Least standard errors between the mean logarithms of scans that contradict each other. With many
+#: modes, these are factors of 3.1 in C_iso and 1.8 in heights.
 MIN_CONTRADICTION_ERRORS = 4
 
 

@@ -46,8 +46,8 @@ def scale_rms_heights(rms_heights: Floats, mean: float, std: float) -> Floats:
 def _component_shares(grid: ScanGrid) -> Floats:
     """Return the shares of amplitude of long, middle and short waves: (3, points of WAVEVECTORS).
 
-    They add up to one. On the logarithm of wavelength, from the size of a scan to two pixels, each
-    gives way to the next as a squared sine; the middle one has its peak halfway.
+    They add up to one. Over the logarithm of the wavelength, from the size of a scan to two pixels,
+    each gives way to the next as a squared sine. The middle share has its peak halfway.
     """
     longest, shortest = grid.size, 2 * grid.pixel_size
     log_position = np.log(longest * WAVEVECTORS / (2 * np.pi)) / np.log(longest / shortest)

@@ -113,8 +113,8 @@ def featured_rms(
 def standardized_differences(rms_values: Floats, statistics: ScanStatistics) -> Floats:
     """Return the differences of scans (..., scan, 3) from published statistics, in standard errors.
 
-    First come the means, then, with two or more scans, the standard deviations of rms height and
-    slope, whose relative standard error is 1/sqrt(2(n - 1)).
+    First come the means. Of two or more scans, the standard deviations of rms height and slope
+    follow, whose relative standard error is 1/sqrt(2(n - 1)).
     """
     mean_errors = statistics.stds / np.sqrt(statistics.scan_count)
     differences = (rms_values.mean(axis=-2) - statistics.means) / mean_errors

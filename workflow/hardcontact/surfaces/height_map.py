@@ -30,8 +30,8 @@ class HeightMap:
     periodic: bool = False
     source: str = "measured"
     path: str = "scan"  #: Path of the file, as messages name it.
-    #: Which scan of a container, or which channel of another file, was read, as in surfaces.tsv;
-    #: empty if the file has only one, or its default was read.
+    #: The scan of a container, or the channel of another file, that was asked for, as in
+    #: surfaces.tsv; empty for the only or the default one.
     dataset: str = ""
     channel: str = ""  #: Name of the channel that was read, whoever chose it.
     file_unit: str = "nm"  #: Unit of length that the file, or its container, states.

@@ -55,8 +55,8 @@ class Substitute:
     def targets(self) -> Targets | None:
         """Targets of scans on the study's pixels; None if no rms height is published.
 
-        Table 1 gives the rows that the spectrum is calibrated on: the rms height if the scan has
-        the paper's size, slope and curvature if it has the paper's pixels, too. All other targets
+        Table 1 gives the rows that the spectrum is calibrated on: the rms height of scans of the
+        paper's size, and slope and curvature of scans that also have its pixels. All other targets
         are expected values of scans with this spectrum.
         """
         if "afm_rms_height" not in self.table1.index:
