@@ -69,9 +69,8 @@ def combine_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
     reliable_measurements = measurements.isel(measurement=reliable.any(axis=1))
     shortest = float(reliable_measurements["shortest_reliable"].min())
     longest = float(reliable_measurements["longest_reliable"].max())
-    short_body, long_body = (
-        sphere if is_sphere[nearest_bin(end)] else substrate for end in (shortest, longest)
-    )
+    short_body = sphere if is_sphere[nearest_bin(shortest)] else substrate
+    long_body = sphere if is_sphere[nearest_bin(longest)] else substrate
     joined_psd = np.where(reliable.any(axis=0), total, np.nan)
     return measurements.assign(
         spectrum=_sum_of_spectra(substrate, sphere),

@@ -103,7 +103,6 @@ class HeightMap:
         labels = NM | {"long_name": "surface height", "pixel_size": float(self.pixel_size)}
         attributes = {
             **{name: getattr(self, name) for name in TEXT_FIELDS},
-            "dataset": self.dataset,
             "periodic": int(self.periodic),
             "tip_radius": np.nan if self.tip_radius is None else self.tip_radius,
             "notes": "\n".join(self.notes),
@@ -113,7 +112,7 @@ class HeightMap:
 
 
 #: Fields of a height map that are texts and attributes of the same name.
-TEXT_FIELDS = ("source", "path", "channel", "file_unit")
+TEXT_FIELDS = ("source", "path", "channel", "file_unit", "dataset")
 
 
 def load_height_map(path: str) -> HeightMap:
@@ -128,7 +127,6 @@ def load_height_map(path: str) -> HeightMap:
         float(heights.attrs["pixel_size"]),
         bool(attributes["periodic"]),
         **texts,
-        dataset=str(attributes["dataset"]),
         tip_radius=None if np.isnan(tip_radius) else tip_radius,
         notes=tuple(str(attributes["notes"]).splitlines()),
         undefined_count=int(attributes["undefined"]),
