@@ -33,10 +33,7 @@ def filtered_forces(curves, spread=0.0):
     unfiltered = np.exp(0.3 * rng.standard_normal((*shape[:3], *shape[4:])))
     factor = np.exp(spread * rng.standard_normal(shape[:4] + (1, 1)))
     factor = factor * np.exp(0.5 * spread * rng.standard_normal(shape))
-    grows = np.where(np.isnan(curves), 1, np.log(curves))[:, None, :, :, None, None]
-    ratio = (
-        np.exp(grows * factor) * np.where(np.isnan(curves), np.nan, 1)[:, None, :, :, None, None]
-    )
+    ratio = np.exp(np.log(curves)[:, None, :, :, None, None] * factor)
     dataset = xr.Dataset(
         {
             "pull_off_force": (

@@ -1,4 +1,4 @@
-"""Edges of curves that leave their tolerance at a known cutoff."""
+"""Edges of means over masters whose force ratios are known, and their intervals."""
 
 import numpy as np
 import xarray as xr

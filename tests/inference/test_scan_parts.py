@@ -39,10 +39,13 @@ def test_three_scans_are_independent_parts_and_fewer_are_divided_into_quarters()
     np.testing.assert_array_equal(two.part_of_contact[1], QUARTERS + 4)
 
 
-def fields(rng, draws, pixels, reach):
-    """Forces of contacts at every pixel of mirrored white roughness: (draw, pixels, pixels)."""
+def fields(rng, draws, pixels, deviation):
+    """Forces (draw, pixels, pixels) of contacts at every pixel of mirrored white roughness.
+
+    Their weight is a Gaussian, with its deviation in pixels.
+    """
     spectrum = fft.dctn(rng.standard_normal((draws, pixels, pixels)), axes=(1, 2), norm="ortho")
-    decay = np.exp(-((np.pi * np.arange(pixels) * reach / pixels) ** 2) / 2)
+    decay = np.exp(-((np.pi * np.arange(pixels) * deviation / pixels) ** 2) / 2)
     return fft.idctn(spectrum * decay[:, None] * decay, axes=(1, 2), norm="ortho")
 
 
@@ -51,20 +54,20 @@ def quarter_means(fields):
     return fields.reshape(-1, 2, half, 2, half).mean(axis=(2, 4)).reshape(-1, 4)
 
 
-@pytest.mark.parametrize("reach", [0.02, 0.2, 0.47])
-def test_quarters_correlate_as_those_of_smoothed_noise(reach):
-    means = quarter_means(fields(np.random.default_rng(1), 4000, 32, reach * 32))
+@pytest.mark.parametrize("deviation", [0.02, 0.2, 0.47])
+def test_quarters_correlate_as_those_of_smoothed_noise(deviation):
+    means = quarter_means(fields(np.random.default_rng(1), 4000, 32, deviation * 32))
     measured_correlation = means.T @ means / np.mean(means**2) / len(means)
-    scan_parts = parts_of_scans(np.zeros(1), QUARTERS, 1.0, reach)
+    scan_parts = parts_of_scans(np.zeros(1), QUARTERS, 1.0, deviation)
     np.testing.assert_allclose(scan_parts.correlation_matrix, measured_correlation, atol=0.05)
 
 
 @pytest.mark.parametrize("scans", [1, 2, 3, 5])
 def test_intervals_contain_the_mean_with_their_confidence(scans):
-    draws, reach = 1500, 0.3
-    means = quarter_means(fields(np.random.default_rng(2), draws * scans, 16, reach * 16))
+    draws, deviation = 1500, 0.3
+    means = quarter_means(fields(np.random.default_rng(2), draws * scans, 16, deviation * 16))
     means = means.reshape(draws, -1)
-    scan_parts = parts_of_scans(np.arange(scans), QUARTERS, 1.0, reach)
+    scan_parts = parts_of_scans(np.arange(scans), QUARTERS, 1.0, deviation)
     if not scan_parts.are_quarters:
         means = means.reshape(draws, scans, 4).mean(axis=-1)
     count = means.shape[1]

@@ -91,7 +91,7 @@ DESCRIPTION = (
 )
 
 
-def read_bands(path):
+def read_description(path):
     refuse_description(path, set())
     described_rms_height(path, 4000.0)
 
@@ -105,7 +105,7 @@ KINDS = {
         lambda _: {"a.csv": b"surface,value,unit\na,1,uN\nb,2.5,nN\na,3,uN\n"},
         lambda path: read_forces(path, ["a", "b"], 250e3),
     ),
-    "description": (lambda _: {"a.csv": DESCRIPTION.encode()}, read_bands),
+    "description": (lambda _: {"a.csv": DESCRIPTION.encode()}, read_description),
     "surfaces": (
         lambda _: {
             "a.tsv": b"surface\tlabel\tscan\tsource\tpath\tdataset\n"

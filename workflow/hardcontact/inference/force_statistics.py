@@ -29,8 +29,8 @@ def sample_mean_forces(forces: xr.DataArray, sampling: Sampling) -> Floats:
     Forces (surface, scan, rho, ...) are in N, NaN for a missing scan. Samples are NaN for a surface
     with a single scan. Random numbers depend on the surface alone: contact models share them.
     """
-    scans = mean_over_contacts(forces)
-    means = sampling.sample_means("adhesion", scans, "scan")
+    scan_means = mean_over_contacts(forces)
+    means = sampling.sample_means("adhesion", scan_means, "scan")
     return np.asarray(means.transpose("sample", "surface", "rho"))
 
 
@@ -63,15 +63,15 @@ def force_statistics(forces: Floats, sampling: Sampling) -> tuple[Floats, Floats
     is_finite = np.isfinite(forces)
     scan_count = int(is_finite.any(axis=(1, 2)).sum())
     finite_forces = forces[is_finite].reshape(scan_count, is_finite.sum() // max(scan_count, 1))
-    mean = xr.DataArray(finite_forces, dims=("scan", "contact")).mean("contact")
+    scan_means = xr.DataArray(finite_forces, dims=("scan", "contact")).mean("contact")
     jackknife_values = _jackknife_statistics(finite_forces)
-    values = np.array([mean.mean(), *jackknife_values])
+    values = np.array([scan_means.mean(), *jackknife_values])
     if not sampling.sample_count:
         return values, np.full((len(values), 2), np.nan)
     kept_forces = (np.delete(finite_forces, scan, axis=0) for scan in range(scan_count))
     leave_one_out = [_jackknife_statistics(kept) for kept in kept_forces]
     intervals = [
-        student_log_interval(mean, sampling.confidence, "scan").values,
+        student_log_interval(scan_means, sampling.confidence, "scan").values,
         *jackknife_interval(jackknife_values, leave_one_out, sampling.confidence),
     ]
     return values, np.array(intervals)

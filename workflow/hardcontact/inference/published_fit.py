@@ -121,8 +121,8 @@ def fit_contact_model(
     force_curves = interpolate_to_ranges(means, forces.rho.values, ranges)
     surfaces = forces.surface.values
     axes = ("surface", "rho")
-    scans = mean_over_contacts(forces).transpose(..., *axes)
-    interval = student_log_interval(scans, sampling.confidence, "scan")
+    scan_means = mean_over_contacts(forces).transpose(..., *axes)
+    interval = student_log_interval(scan_means, sampling.confidence, "scan")
     variables = (
         _error_variables(force_curves[0], published_forces, ranges, threshold)
         | _fitted_variables(force_curves, published_forces, ranges, reference_index, sampling)
