@@ -42,10 +42,10 @@ def _scale_noise(noise: SingleTransform, pixel_size: float, spectrum: SpectrumFu
     """
     pixels = len(noise)
     row_count = pixels // 2 + 1  # Other rows have the opposite y.
-    wave = 2 * np.pi * np.fft.rfftfreq(pixels, pixel_size)
+    q = 2 * np.pi * np.fft.rfftfreq(pixels, pixel_size)
     for start in range(0, row_count, BLOCK_ROWS):
         rows = np.arange(start, min(start + BLOCK_ROWS, row_count))
-        amplitudes = np.sqrt(spectrum(np.hypot(wave[rows, None], wave))) / pixel_size
+        amplitudes = np.sqrt(spectrum(np.hypot(q[rows, None], q))) / pixel_size
         noise[rows] *= amplitudes
         is_paired = (rows > 0) & (2 * rows < pixels)
         noise[pixels - rows[is_paired]] *= amplitudes[is_paired]

@@ -52,26 +52,26 @@ def scan_rms_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weig
     Squares of rms height, gradient and half-Laplacian are weights @ C_iso. The scan of
     `window_pixels` per row is cut out of a periodic surface of `pixels` per row, and levelled.
     """
-    wave_y = 2 * np.pi * np.abs(np.fft.fftfreq(pixels, pixel_size))
-    wave_x = wave_y[: pixels // 2 + 1]
+    q_y = 2 * np.pi * np.abs(np.fft.fftfreq(pixels, pixel_size))
+    q_x = q_y[: pixels // 2 + 1]
     # An entry of the transform of a real map stands for both waves of a pair of opposite q_x.
-    wave_count = np.where((wave_x == 0) | (wave_x == wave_x.max()), 1.0, 2.0)
-    shortest = np.hypot(wave_y.max(), wave_x.max())
-    edges = np.geomspace(wave_x[1] * 0.999, shortest * 1.001, BIN_COUNT + 1)
-    mean, slope = squared_projections(wave_y * window_pixels * pixel_size / 2)
+    wave_count = np.where((q_x == 0) | (q_x == q_x.max()), 1.0, 2.0)
+    highest = np.hypot(q_y.max(), q_x.max())
+    edges = np.geomspace(q_x[1] * 0.999, highest * 1.001, BIN_COUNT + 1)
+    mean, slope = squared_projections(q_y * window_pixels * pixel_size / 2)
     # The squared difference operator along one axis.
-    difference = (2 * np.sin(wave_y * pixel_size / 2) / pixel_size) ** 2
-    mean_x, slope_x, difference_x = (values[: len(wave_x)] for values in (mean, slope, difference))
+    difference = (2 * np.sin(q_y * pixel_size / 2) / pixel_size) ** 2
+    mean_x, slope_x, difference_x = (values[: len(q_x)] for values in (mean, slope, difference))
     weights = np.zeros((3, BIN_COUNT))
     for start in range(0, pixels, ROWS_AT_A_TIME):
         rows = slice(start, start + ROWS_AT_A_TIME)
         mean_y, slope_y = mean[rows, None], slope[rows, None]
         removed = mean_y * mean_x + slope_y * mean_x + mean_y * slope_x
         laplacian = difference[rows, None] + difference_x
-        wavevector_norm = np.hypot(wave_y[rows, None], wave_x)
+        wavenumber = np.hypot(q_y[rows, None], q_x)
         if start == 0:
-            wavevector_norm[0, 0] = wave_x[1]  # The mean has no weight, but needs a bin.
-        index = np.searchsorted(edges, wavevector_norm.ravel()) - 1
+            wavenumber[0, 0] = q_x[1]  # The mean has no weight, but needs a bin.
+        index = np.searchsorted(edges, wavenumber.ravel()) - 1
         for k, factor in enumerate((1 - removed, laplacian, laplacian**2 / 4)):
             weights[k] += np.bincount(index, (wave_count * factor).ravel(), BIN_COUNT)
     return np.sqrt(edges[1:] * edges[:-1]), weights / (pixels * pixel_size) ** 2
