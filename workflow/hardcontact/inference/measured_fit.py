@@ -42,11 +42,9 @@ def fit_measured(
     `adhesion` holds the computed forces, `force_table` the measured ones in N. Scan sizes (nm) and
     the factors by which finer pixels may divide the force are by surface.
     """
-    measured_surfaces = set(force_table["surface"])
-    surfaces = [name for name in adhesion["surface"].values.tolist() if name in measured_surfaces]
-    summaries = {
-        name: summarize_forces(force_table[force_table["surface"] == name]) for name in surfaces
-    }
+    tables = dict(list(force_table.groupby("surface")))
+    surfaces = [name for name in adhesion["surface"].values.tolist() if name in tables]
+    summaries = {name: summarize_forces(tables[name]) for name in surfaces}
     means = [
         sample_measured_mean(sampling.generator("tests", name), summary, sampling.sample_count)
         for name, summary in summaries.items()

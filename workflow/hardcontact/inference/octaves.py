@@ -10,7 +10,6 @@ from itertools import pairwise
 
 import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.number import Number
@@ -83,12 +82,6 @@ def whole_surface_forces(surface: HeightMap, contact: Contact, ranges: list[floa
     mean_force = pull_off["pull_off_force"].mean(CONTACT_AXES, keep_attrs=True)
     forces = octave_force_dataset(surface, limits, make_force_function(contact))
     return forces.assign(pull_off_force=mean_force).assign_attrs(map_size=surface.size)
-
-
-def octaves_within(octave_starts: Floats, shortest: float, longest: float) -> NDArray[np.bool_]:
-    """Return the mask of octaves, by their shortest wavelengths, whose middle is in a band."""
-    middle = np.sqrt(2) * octave_starts
-    return np.asarray((shortest < middle) & (middle < longest))
 
 
 def strongest_octaves(sensitivity: xr.Dataset) -> Iterator[Number]:

@@ -12,7 +12,6 @@ import xarray as xr
 
 from hardcontact.base.number import Number
 from hardcontact.contact.contact import PLASTIC
-from hardcontact.inference.octaves import octaves_within
 
 #: Kinds of measurement; a substitute has a description instead. The datasets of a surface with
 #: fewer measurements than another are padded, without a kind.
@@ -128,6 +127,7 @@ def overlaps_any(low: float, high: float, bands: Iterable[tuple[float, float]]) 
 
 def shown_octaves(data: Datasets) -> np.ndarray:
     """Return a mask (octave,) of the octaves at whose middle a scan of one surface is reliable."""
-    octaves = data.sensitivity["octave"].values
-    hidden = [octaves_within(octaves, *band) for band in unreliable_bands(data.spectra)]
+    middles = np.sqrt(2) * data.sensitivity["octave"].values
+    bands = unreliable_bands(data.spectra)
+    hidden = [(shortest < middles) & (middles < longest) for shortest, longest in bands]
     return np.asarray(np.logical_not(hidden).all(axis=0))
