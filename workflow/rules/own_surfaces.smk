@@ -1,5 +1,5 @@
 # What follows for the user's surfaces: whether their scans may be extrapolated (hindcast), the edges of the
-# band, the force at one range and work, and the fit to measured forces.
+# band, the force on the surfaces, and the fit to measured forces.
 
 
 rule compute_hindcast_forces:

@@ -34,5 +34,5 @@ with run_job(snakemake) as job:
         force.assign(
             contacts_needed=contacts_needed(adhesion["pull_off_force"], tolerance, confidence)
         ),
-        title="pull-off forces at one range and work",
+        title="pull-off forces on the surfaces",
     )

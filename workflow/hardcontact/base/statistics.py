@@ -195,7 +195,7 @@ class Sampling:
         sampled_means = np.concatenate([means.values[None], np.stack(samples, axis=1)])
         return xr.DataArray(sampled_means, means.coords, ("sample", *means.dims))
 
-    def as_variables(
+    def sampled_variables(
         self,
         name: str,
         dimensions: str | Sequence[str],

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from scipy.special import erf
 
 from hardcontact.base.formatting import format_length, round_to_three_digits
 from hardcontact.contact.contact import Contact
@@ -96,6 +97,4 @@ def window_share(contact: Contact, rho: ArrayLike) -> NDArray[np.float64]:
     The attraction is proportional to exp(-r²/(2 R rho)) at the distance r from the apex (Eq. 3), so
     that a square window of width L holds the share erf(L/sqrt(8 R rho))².
     """
-    from scipy.special import erf
-
     return np.asarray(erf(contact.window / np.sqrt(8 * contact.radius * np.asarray(rho))) ** 2)

@@ -52,6 +52,6 @@ def edges_of_masters(
         ("filtered_force_ratio", ratios, DIMENSIONLESS),
     ):
         dimensions = [str(dim) for dim in values.dims[1:]]
-        variables |= sampling.as_variables(name, dimensions, values.values, attributes)
+        variables |= sampling.sampled_variables(name, dimensions, values.values, attributes)
     result = edges.isel(sample=0, drop=True).assign_coords(ratios.coords).assign(variables)
     return result, sampled_edges

@@ -43,7 +43,7 @@ def statistics_at_pair(
     means = sample_mean_forces(pair_forces.expand_dims("rho"), sampling)[..., 0]
     contact_forces = pair_forces.transpose("surface", "scan", "sphere_scan", *CONTACT_AXES).values
     contact_forces = contact_forces.reshape(*contact_forces.shape[:3], -1)
-    variables = sampling.as_variables(
+    variables = sampling.sampled_variables(
         "ratio_at_pair", "surface", means / means[:, [reference_index]], DIMENSIONLESS
     )
     statistics = [force_statistics(surface_forces, sampling) for surface_forces in contact_forces]

@@ -62,7 +62,7 @@ def fit_measured(
         else IntervalSource.ONE_SITE
         for name, summary in summaries.items()
     ]
-    variables = sampling.as_variables("measured_force", "surface", measured_forces, NEWTON)
+    variables = sampling.sampled_variables("measured_force", "surface", measured_forces, NEWTON)
     variables["interval_source"] = ("surface", interval_sources)
     for name in ("force_count", "site_count", "look_repeated"):
         counts = [int(getattr(summary, name)) for summary in summaries.values()]

@@ -101,7 +101,7 @@ def _model_error_ratio(models: xr.Dataset, sampling: Sampling) -> dict[str, Any]
     errors = models[["best_error", "sampled_error"]]
     ratio = errors.sel(contact_model=RIGID) / errors.sel(contact_model=PLASTIC)
     ratios = np.append(ratio["best_error"], ratio["sampled_error"])
-    return sampling.as_variables("model_error_ratio", (), ratios, DIMENSIONLESS)
+    return sampling.sampled_variables("model_error_ratio", (), ratios, DIMENSIONLESS)
 
 
 def fit_contact_model(
@@ -128,7 +128,7 @@ def fit_contact_model(
         | _fitted_variables(force_curves, published_forces, ranges, reference_index, sampling)
         | _fits_without_surface(force_curves[0], published_forces, ranges)
         | as_variables("mean_force", axes, means[0], interval.values, NEWTON, sampling.confidence)
-        | sampling.as_variables(
+        | sampling.sampled_variables(
             "force_over_reference", axes, means / means[:, [reference_index]], DIMENSIONLESS
         )
     )
@@ -158,7 +158,7 @@ def _fitted_variables(
     fits["range_from_ratios"] = np.where(np.isfinite(fits["best_error"]), best_ranges, np.nan)
     variables: dict[str, Any] = {"ratio_error": ("rho_fine", errors[0], DIMENSIONLESS)}
     for name, attributes in FITTED_ATTRS.items():
-        variables |= sampling.as_variables(name, (), fits[name], attributes)
+        variables |= sampling.sampled_variables(name, (), fits[name], attributes)
     for name, variable in SAMPLED_FITS.items():
         variables[f"sampled_{name}"] = ("sample", fits[variable][1:], FITTED_ATTRS[variable])
     return variables

@@ -74,7 +74,7 @@ def apply_classical_models(
         samples = _model_samples(roughness, sphere, work, forces, effective_works)
         variables: dict[str, Any] = {}
         for name, (dimensions, unit) in MODEL_VARIABLES.items():
-            variables |= sampling.as_variables(name, dimensions, samples[name], unit)
+            variables |= sampling.sampled_variables(name, dimensions, samples[name], unit)
         models[(metrics,)] = xr.Dataset(variables)
     return (
         stack(models, ["metrics"])

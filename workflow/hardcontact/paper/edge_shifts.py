@@ -27,7 +27,7 @@ def compute_edge_shifts(forces: xr.Dataset, tolerance: float, sampling: Sampling
         "range": {"contact_model": PLASTIC, "rho": shortest},
     }
     shifts = [complete / sampled_edges.sel(labels, drop=True) for labels in without_cause.values()]
-    edge_shift = sampling.as_variables(
+    edge_shift = sampling.sampled_variables(
         "edge_shift", ("cause", "side", "group"), np.stack(shifts, axis=1), DIMENSIONLESS
     )
     edge_shifts = edges.assign_coords(cause=list(without_cause)).assign(edge_shift)
