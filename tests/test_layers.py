@@ -10,17 +10,16 @@ from repository import ROOT
 import hardcontact
 
 LIBRARY = ROOT / "workflow/hardcontact"
-#: Layers in the order of the library's docstring.
+#: The layers, the lowest first: all words in backticks of the library's docstring.
 LAYERS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that the library may have, without docstrings, comments and blank lines, so that one
 #: person can still read it. If a useful change needs more lines, raise the number in its commit and
 #: say there what a user gets for it.
 MAX_CODE_LINES = 16_604
-LAYOUT = {"COMMENT", "NL", "NEWLINE", "INDENT", "DEDENT", "ENDMARKER"}
 
 
 def layer_modules(layer):
-    """The modules of a layer, or the module that is one."""
+    """The modules in the folder of a layer, or the module that is the layer."""
     return list((LIBRARY / layer).rglob("*.py")) or [LIBRARY / f"{layer}.py"]
 
 

@@ -46,10 +46,7 @@ def test_datasets_are_stacked_in_the_order_of_their_keys_with_nan_for_missing_on
 
 
 def test_each_surface_has_its_label_and_its_source():
-    parameters = {
-        "labels": {"a": "A", "b": "B"},
-        "source": {"a": "measured", "b": "substitute"},
-    }
+    parameters = {"labels": {"a": "A", "b": "B"}, "source": {"a": "measured", "b": "substitute"}}
     named = add_surface_names(xr.Dataset(coords={"surface": ["b", "a"]}), parameters)
     assert named.label.values.tolist() == ["B", "A"]
     assert named.source.values.tolist() == ["substitute", "measured"]

@@ -39,11 +39,7 @@ def test_other_texts_than_lengths_are_refused_in_one_line(text):
 
 @pytest.mark.parametrize(
     ("value", "unit", "words"),
-    [
-        (250e3, "nm", "250 µm"),
-        (0.35, "nm", "350 pm"),
-        (0.0463, "J/m2", "46.3 mJ/m²"),
-    ],
+    [(250e3, "nm", "250 µm"), (0.35, "nm", "350 pm"), (0.0463, "J/m2", "46.3 mJ/m²")],
 )
 def test_quantities_are_printed_with_the_fitting_prefix(value, unit, words):
     assert units.format_exact(value, unit) == words

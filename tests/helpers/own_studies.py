@@ -5,11 +5,9 @@ import json
 import numpy as np
 from forked_runs import run_program
 from measurements import random_map
-from repository import ROOT, environment, run_snakemake
+from repository import environment, run_snakemake
 from scan_files import write_nanoscope
 
-#: Real scans, which stay where they are.
-REAL_SCANS = ROOT.parent / "shared" / "scans"
 #: Height of a count of a Nanoscope file, in nm.
 COUNT = 0.1
 #: Range of adhesion in nm of the user's forces: a computed one.

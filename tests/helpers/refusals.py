@@ -3,10 +3,10 @@
 import pytest
 
 
-def refusal(call, *arguments):
+def refusal(call, *arguments, **options):
     """Return the message of a call that refuses its input; each line but a count has "expected"."""
     with pytest.raises(ValueError) as caught:
-        call(*arguments)
+        call(*arguments, **options)
     message = str(caught.value)
     lines = [line for line in message.splitlines() if not line.endswith("not shown")]
     assert lines and all("expected" in line for line in lines), message

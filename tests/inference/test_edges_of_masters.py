@@ -9,42 +9,38 @@ from hardcontact.inference.edges_of_masters import edges_of_masters
 
 CUTOFFS = [10.0, 100.0, 1000.0, 10000.0]
 LONG = [np.nan, np.nan, 3.0, 1.0]
-CROSSINGS = np.log(1.1) / np.log([1.2, 3.0])  # where ln(SHORT) and ln(LONG) cross ln(1.1)
-EDGES = {
-    "a": {"short": 10 ** (1 + CROSSINGS[0]), "long": 10 ** (4 - CROSSINGS[1])},
-    "mean": {"short": 10**1.5, "long": 10**3.95},  # where the mean of |ratio - 1| crosses 0.1
-}
 
 
-def edges_of(ratios, sampling):
-    """Return edges of ratios (surface, realization, side, cutoff) and their samples."""
-    return edges_of_masters(master_ratios(ratios, CUTOFFS), 0.1, sampling)
+def edges_of(ratios, samples=0, confidence=0.95):
+    """Return the edges of ratios (surface, realization, side, cutoff)."""
+    sampling = Sampling(seed=0, sample_count=samples, confidence=confidence)
+    edges, _ = edges_of_masters(master_ratios(ratios, CUTOFFS), 0.1, sampling)
+    return edges
 
 
 def test_mean_change_is_the_mean_of_absolute_changes():
     increasing = [[1.0, 1.2, np.nan, np.nan], [np.nan, np.nan, 3.0, 1.0]]
     decreasing = [[1.0, 0.8, np.nan, np.nan], [np.nan, np.nan, 0.6, 1.0]]
-    bands, _ = edges_of_masters(
-        master_ratios([[increasing], [decreasing]], CUTOFFS), 0.1, Sampling(0, 0, 0.95)
-    )
+    bands = edges_of([[increasing], [decreasing]])
     np.testing.assert_allclose(
         bands.filtered_force_change.sel(group="mean"),
         [[0.0, 0.2, np.nan, np.nan], [np.nan, np.nan, 1.2, 0.0]],
     )
     assert bands.filtered_force_ratio.dims == ("side", "surface", "cutoff_wavelength")
     np.testing.assert_allclose(bands.filtered_force_ratio.sel(surface="b"), decreasing)
+    # ln(ratio) is linear in ln(cutoff) from 10 to 100 nm, and so is the mean of |ratio - 1|.
+    edge_of_a = 10 ** (1 + np.log(1.1) / np.log(1.2))
     edge_of_b = 10 ** (1 + np.log(0.9) / np.log(0.8))
-    np.testing.assert_allclose(
-        bands.edge.sel(side="short"), [EDGES["a"]["short"], edge_of_b, 10**1.5]
-    )
+    edge_of_mean = 10 ** (1 + 0.1 / 0.2)
+    np.testing.assert_allclose(bands.edge.sel(side="short"), [edge_of_a, edge_of_b, edge_of_mean])
     assert bands.edge_interval.isnull().all()
 
 
 FLAT = [[1.0, 1.0, np.nan, np.nan], [np.nan, np.nan, 1.0, 1.0]]
 
 
-def test_curves_within_the_tolerance_have_the_last_cutoff_as_interval():
-    bands, _ = edges_of([[FLAT] * 2], Sampling(0, 5, 0.95))
+def test_curves_within_the_tolerance_have_the_last_cutoff_as_bound_and_interval():
+    bands = edges_of([[FLAT] * 2], samples=5)
     assert bands.edge.isnull().all()
     np.testing.assert_array_equal(bands.edge_bound, [[100.0] * 2, [1000.0] * 2])
     np.testing.assert_array_equal(bands.edge_status, [["open_above"] * 2, ["open_below"] * 2])
@@ -54,7 +50,7 @@ def test_curves_within_the_tolerance_have_the_last_cutoff_as_interval():
 
 def test_intervals_describe_the_scatter_of_realizations():
     rows = [[[1.0, ratio, np.nan, np.nan], LONG] for ratio in (1.2, 1.3, 1.45)]
-    bands, _ = edges_of([rows], Sampling(0, 4000, 0.9))
+    bands = edges_of([rows], samples=4000, confidence=0.9)
     short = bands.sel(side="short", cutoff_wavelength=100.0)
     ratio_interval = student_log_interval(xr.DataArray([1.2, 1.3, 1.45], dims="n"), 0.9, "n")
     np.testing.assert_allclose(short.filtered_force_ratio_interval[0], ratio_interval, rtol=0.03)

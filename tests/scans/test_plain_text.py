@@ -9,7 +9,7 @@ from hardcontact.scans.plain_text import readable_text
 from hardcontact.scans.reading import read_scan
 
 PIXELS = 24
-MAP = random_heights(PIXELS, PIXELS)  # in nm
+MAP = random_heights(PIXELS, PIXELS)  # in nm, on pixels of 10 nm
 HEAD = ["# Channel: Height", "# Width: 0,240 µm", "# Height: 0,240 µm", "# Value units: m"]
 
 
@@ -58,7 +58,7 @@ def test_a_bare_matrix_is_read_with_its_size_and_unit(tmp_path, name):
     path = written(tmp_path / "a.csv", MATRICES[name])
     message = refusal(read_scan, path)
     assert_says(message, "physical size and unit", "found none", "--size 5000nm", "--unit nm")
-    assert_says(refusal(read_scan, path, "", "refuse", "nm"), "--size 5000nm", "scan.map_size")
+    assert_says(refusal(read_scan, path, unit="nm"), "--size 5000nm", "scan.map_size")
     measurement = read_scan(path, unit="nm", map_size=240.0)
     assert measurement.pixel_size == pytest.approx(10.0)
     np.testing.assert_allclose(measurement.heights, MAP, atol=1e-4)
@@ -80,7 +80,7 @@ def test_empty_cells_and_words_are_undefined_pixels(tmp_path, word):
     rows = matrix(";")
     rows[3] = rows[3].replace(rows[3].split(";")[5], word, 1)
     path = written(tmp_path / "a.csv", rows)
-    measurement = read_scan(path, "", "harmonic", "nm", 240.0)
+    measurement = read_scan(path, undefined_pixels="harmonic", unit="nm", map_size=240.0)
     assert measurement.undefined_count == 1
     defined = np.ones((PIXELS, PIXELS), bool)
     defined[3, 5] = False
@@ -97,47 +97,44 @@ def coordinates(path, points, separator=" "):
     return path
 
 
-@pytest.mark.parametrize(("separator", "order"), [(" ", 1), (",", -1), (";", 1)])
-def test_missing_points_are_undefined_pixels(tmp_path, separator, order):
-    points = np.delete(POINTS, GAPS, axis=0)[::order]
+@pytest.mark.parametrize(("separator", "step"), [(" ", 1), (",", -1), (";", 1)])
+def test_missing_points_are_undefined_pixels(tmp_path, separator, step):
+    points = np.delete(POINTS, GAPS, axis=0)[::step]
     path = coordinates(tmp_path / "a.xyz", points, separator)
-    assert_says(refusal(read_scan, path, "", "refuse", "nm"), "undefined", "found 30")
-    measurement = read_scan(path, "", "harmonic", "nm")
+    assert_says(refusal(read_scan, path, unit="nm"), "undefined", "found 30")
+    measurement = read_scan(path, undefined_pixels="harmonic", unit="nm")
     assert measurement.pixel_size == pytest.approx(10.0) and measurement.undefined_count == 30
     defined = np.delete(np.arange(len(POINTS)), GAPS)
     np.testing.assert_allclose(measurement.heights.ravel()[defined], POINTS[defined, 2], atol=1e-5)
-    assert (
-        measurement.notes
-        == ("30 undefined pixels of 576 filled", "unit nm (given by the user)")[::-1]
-    )
+    notes = ("unit nm (given by the user)", "30 undefined pixels of 576 filled")
+    assert measurement.notes == notes
 
 
 @pytest.mark.parametrize("gaps", [[], GAPS])
 def test_points_may_have_two_units(tmp_path, gaps):
     scaled = np.delete(POINTS, gaps, axis=0) * [1e-3, 1e-3, 1]
     path = coordinates(tmp_path / "a.xyz", scaled)
-    measurement = read_scan(path, "", "harmonic", "um,nm")
+    measurement = read_scan(path, undefined_pixels="harmonic", unit="um,nm")
     assert measurement.pixel_size == pytest.approx(10.0)
     assert measurement.heights.ravel()[5] == pytest.approx(MAP.ravel()[5], abs=1e-5)
-    assert_says(
-        refusal(read_scan, path, "", "harmonic", "um"), "--unit mm,nm (scan.unit: mm,nm) gives"
-    )
+    message = refusal(read_scan, path, undefined_pixels="harmonic", unit="um")
+    assert_says(message, "--unit mm,nm (scan.unit: mm,nm) gives")
     line = coordinates(tmp_path / "b.txt", np.column_stack([1e-3 * X[:24], MAP[0]]))
     np.testing.assert_allclose(read_scan(line, unit="um,nm").heights, MAP[0], atol=1e-5)
     angstroms = coordinates(tmp_path / "c.xyz", scaled * [1, 1, 10])
     for unit in ("um,angstrom", "um,Å"):
-        np.testing.assert_allclose(
-            read_scan(angstroms, "", "harmonic", unit).heights, measurement.heights, atol=1e-5
-        )
+        scan = read_scan(angstroms, undefined_pixels="harmonic", unit=unit)
+        np.testing.assert_allclose(scan.heights, measurement.heights, atol=1e-5)
 
 
 @pytest.mark.parametrize("gaps", [[], GAPS])
-def test_points_beside_a_grid_are_interpolated_on_it(tmp_path, gaps):
+def test_points_near_those_of_a_grid_are_interpolated_on_the_grid(tmp_path, gaps):
     rng = np.random.default_rng(3)
-    points = POINTS + np.pad(rng.normal(0, 0.8, (len(POINTS), 2)), ((0, 0), (0, 1)))
+    points = POINTS.copy()
+    points[:, :2] += rng.normal(0, 0.8, (len(POINTS), 2))  # up to a quarter of a pixel
     points[:, 2] = 5 * np.sin(points[:, 0] / 40) * np.cos(points[:, 1] / 50)
     path = coordinates(tmp_path / "a.xyz", rng.permutation(np.delete(points, gaps, axis=0)))
-    measurement = read_scan(path, "", "harmonic", "nm")
+    measurement = read_scan(path, undefined_pixels="harmonic", unit="nm")
     assert measurement.heights.shape == MAP.shape and measurement.undefined_count == len(gaps)
     assert measurement.pixel_size == pytest.approx(10.0, rel=0.01)
     true_heights = (5 * np.sin(X / 40) * np.cos(Y / 50)).reshape(MAP.shape)
@@ -156,7 +153,7 @@ def test_points_beside_a_grid_are_interpolated_on_it(tmp_path, gaps):
 )
 def test_points_that_make_no_map_are_refused(tmp_path, points):
     path = coordinates(tmp_path / "a.xyz", points)
-    message = refusal(read_scan, path, "", "harmonic", "nm")
+    message = refusal(read_scan, path, undefined_pixels="harmonic", unit="nm")
     assert_says(message, "a.xyz: expected points x, y, height on a regular grid")
 
 
@@ -164,5 +161,5 @@ def test_points_that_make_no_map_are_refused(tmp_path, points):
     "content",
     [b"\0\1\2", b"PK\3\4" + bytes(9), b"", b"words, and; others\n", b"1,2\n3,4\n", b"x\n1.5 2\n"],
 )
-def test_other_texts_keep_their_words(content):
+def test_content_that_is_no_scan_changes_in_its_separators_at_most(content):
     assert readable_text(content)[0].replace(b" ", b",") == content.replace(b" ", b",")

@@ -1,6 +1,8 @@
-"""Measured scans have their numbers and no defect."""
+"""Measured scans have their numbers and no defect, and a study of them has plausible answers."""
 
 import pytest
+import xarray as xr
+from own_studies import make_study, read_answer, read_quantities
 from repository import ROOT
 
 from hardcontact.scans.defects import level_and_list_defects
@@ -44,3 +46,20 @@ def test_the_real_container_is_read_whole():
 def test_real_scans_have_no_defect():
     files = [(AFM, ""), *((CONTAINER, dataset) for dataset in list_scans(CONTAINER))]
     assert not any(level_and_list_defects(read_scan(*file)).defects for file in files)
+
+
+@pytest.mark.system
+def test_a_study_of_real_scans_has_plausible_roughness_edges_and_forces(repository):
+    results = make_study(repository, "both", CONTAINER, AFM)
+    surface = read_quantities(results)["both"]
+    assert surface["scan_size"]["value"] == 10_000.0
+    assert surface["scan_1_rms_height"]["value"] == pytest.approx(14.3, abs=0.1)
+    kinds = xr.load_dataset(results / "spectra.nc")["kind"].values.ravel()
+    assert set(kinds) == {"map", "line scan"}
+    mean = surface["mean_force"]
+    assert mean["low"] < mean["value"] < mean["high"]
+    assert 20 < surface["short_edge"]["value"] < 100  # The paper finds 43 nm on UNCD.
+    cautions = {note["code"] for note in read_answer(results)["notes"] if note["kind"] == "caution"}
+    assert "conditional_intervals" in cautions
+    # Waves shorter than the scans show keep the sphere clearly away.
+    assert surface["force_extrapolated_short"]["value"] < 0.7 * mean["value"]

@@ -20,7 +20,8 @@ from hardcontact.report.figures.listing import PAPER_FIGURES, describe_figure
 
 
 @pytest.fixture(scope="module", params=PAPER_FIGURES)
-def name(request):
+def any_figure(request):
+    """Return the name of each figure in turn."""
     return request.param
 
 
@@ -42,7 +43,7 @@ def read_inputs(results):
 
 @pytest.fixture(scope="module")
 def draw_checked(read_inputs):
-    """Return a function that draws a figure of the finished study, and leaves its inputs alone."""
+    """Return a function that draws a figure of the finished study and expects unchanged inputs."""
 
     @cache
     def draw(name):
@@ -72,7 +73,7 @@ def texts(figure):
 
 
 def unseen_tick_labels(axes):
-    """Return the labels of ticks that lie beyond the limits of the axes, or of axes without any."""
+    """Yield the tick labels that are not drawn: beyond the limits, or of hidden axes."""
     for axis in (axes.xaxis, axes.yaxis):
         low, high = sorted(axis.get_view_interval())
         ticks = [*axis.get_major_ticks(), *axis.get_minor_ticks()]
@@ -83,12 +84,12 @@ def unseen_tick_labels(axes):
         yield from labels - artists if axes.axison else axis.findobj(Text)
 
 
-def test_texts_are_large_enough_inside_the_figure_and_do_not_overlap(draw_checked, name):
-    figure = draw_checked(name)
+def test_texts_are_large_enough_inside_the_figure_and_do_not_overlap(draw_checked, any_figure):
+    figure = draw_checked(any_figure)
     width, height = figure.get_size_inches()
     assert width == drawing.WIDTH and 2 < height < 9
     boxes = texts(figure)
-    assert min(text.get_fontsize() for text, _ in boxes) >= 0.99 * 7
+    assert min(text.get_fontsize() for text, _ in boxes) >= 6.93  # 7 points but for rounding
     sheet = figure.bbox
     texts_beyond = [
         text.get_text()
@@ -106,22 +107,23 @@ def test_texts_are_large_enough_inside_the_figure_and_do_not_overlap(draw_checke
     assert covered == []
 
 
-def test_a_surface_has_one_colour(draw_checked, name):
-    figure = draw_checked(name)
+def test_a_surface_has_one_colour(draw_checked, any_figure):
+    figure = draw_checked(any_figure)
     colours = dict(zip(LABELS, style.surface_colours(SUBSTRATES).values(), strict=True))
     lines = [line for line in figure.findobj(Line2D) if line.get_label() in colours]
     assert all(same_color(line.get_color(), colours[line.get_label()]) for line in lines)
     if not lines:
-        assert name in {"fig1", "fig3", "fig5", "fig_elastic", "fig_fit", "fig_features"}
+        assert any_figure in {"fig1", "fig3", "fig5", "fig_elastic", "fig_fit", "fig_features"}
 
 
 PLASTIC = {"contact_model": "plastic"}
 FITTED = PLASTIC | {"pair": "fitted"}
 PUBLISHED = PLASTIC | {"pair": "published"}
 RIGID = {"contact_model": "rigid", "side": "short", "rho": 1}
+CONTACTS = ["scan", "contact"]
 MICRO, MILLI, GIGA = 1e-6, 1e-3, 1e9
 PUBLISHED_WORK = 0.0463  # J/m²
-#: A figure, one of its panels by number, and numbers of a dataset that are drawn there.
+#: A figure, the number of a panel, a dataset, and numbers of this dataset that the panel shows.
 NUMBERS = [
     ("fig4", 3, "fit", lambda data: data.force_over_reference.sel(PLASTIC)),
     ("fig4", 4, "fit", lambda data: PUBLISHED_WORK * data.mean_force.sel(PLASTIC) / MICRO),
@@ -133,13 +135,8 @@ NUMBERS = [
     ("fig5", 3, "indent", lambda data: data.depth.groupby("preload").max(...)),
     ("fig6", 0, "edges", lambda data: data.filtered_force_ratio.sel(side="short")),
     ("fig6", 1, "edges", lambda data: data.filtered_force_ratio.sel(side="long")),
-    (
-        "fig_asperities",
-        2,
-        "asperities",
-        lambda data: data.asperity_count.median(["scan", "contact"]),
-    ),
-    ("fig_asperities", 3, "asperities", lambda data: data.extent.median(["scan", "contact"]) / 1e3),
+    ("fig_asperities", 2, "asperities", lambda data: data.asperity_count.median(CONTACTS)),
+    ("fig_asperities", 3, "asperities", lambda data: data.extent.median(CONTACTS) / 1e3),
     ("fig_classical", 0, "classical", lambda data: data.computed_mean_force / MICRO),
     ("fig_classical", 1, "classical", lambda data: data.mean_relative_error),
     ("fig_elastic", 4, "elastic", lambda data: data.share_above_hardness),
@@ -160,13 +157,13 @@ def drawn_numbers(axes):
 
 
 @pytest.mark.parametrize(
-    ("name", "panel", "source", "numbers"),
+    ("figure", "panel", "source", "numbers"),
     NUMBERS,
     ids=lambda value: "" if callable(value) else str(value),
 )
-def test_numbers_of_datasets_are_drawn(draw_checked, read_inputs, name, panel, source, numbers):
-    drawn = drawn_numbers(draw_checked(name).axes[panel])
-    expected = np.ravel(numbers(read_inputs(name)[source]))
+def test_numbers_of_datasets_are_drawn(draw_checked, read_inputs, figure, panel, source, numbers):
+    drawn = drawn_numbers(draw_checked(figure).axes[panel])
+    expected = np.ravel(numbers(read_inputs(figure)[source]))
     expected = expected[np.isfinite(expected)]
     assert expected.size
     missing = [value for value in expected if not np.isclose(drawn, value, rtol=1e-6).any()]

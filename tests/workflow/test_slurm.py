@@ -1,31 +1,37 @@
-"""Tests that take long: real scans, and a cluster on this machine."""
+"""The profile for SLURM, on a cluster of this machine alone."""
 
 import os
 import re
 import sys
 import tempfile
 from pathlib import Path
+from typing import NamedTuple
 
 import pytest
 import slurm
-import xarray as xr
 from comparison import differences
-from own_studies import REAL_SCANS, make_study, read_answer, read_quantities
 from refusals import assert_says
 from repository import copy_repository
 
 pytestmark = pytest.mark.system
 
 
-#: A fault of a job: options and variables of the command, a part of SLURM's message, and the key
-#: that mends it.
+class Fault(NamedTuple):
+    """A fault of a job."""
+
+    options: str  #: Words of the command that make the fault.
+    reason: str  #: A part of SLURM's message.
+    key: str  #: The key that mends the fault.
+    variables: dict = {}  #: Environment of the command.
+
+
 FAULTS = [
-    ("--default-resources slurm_partition=nowhere", {}, "Invalid partition", "slurm_partition"),
-    ("--default-resources slurm_partition=members slurm_account=nobody", {}, "Invalid account",
-     "slurm_account"),
-    ("--set-resources compute_filtered_forces:runtime=1", {"STEP_DELAY": "100"},
-     "DUE TO TIME LIMIT", "runtime"),
-    ("--set-resources compute_filtered_forces:mem_mb=60", {}, "exceeded memory limit", "mem_mb"),
+    Fault("--default-resources slurm_partition=nowhere", "Invalid partition", "slurm_partition"),
+    Fault("--default-resources slurm_partition=members slurm_account=nobody", "Invalid account",
+          "slurm_account"),
+    Fault("--set-resources compute_filtered_forces:runtime=1", "DUE TO TIME LIMIT", "runtime",
+          {"STEP_DELAY": "100"}),
+    Fault("--set-resources compute_filtered_forces:mem_mb=60", "exceeded memory limit", "mem_mb"),
 ]  # fmt: skip
 
 
@@ -51,16 +57,18 @@ def test_a_job_that_slurm_refuses_or_ends_has_one_line_with_the_remedy(
     runs = []
     for number, (fault, target) in enumerate(zip(FAULTS, filtered, strict=False)):
         target.unlink()
-        words = [target.relative_to(finished_copy), *fault[0].split(), "--retries", "0"]
+        words = [target.relative_to(finished_copy), *fault.options.split(), "--retries", "0"]
         # A run that ends removes empty folders of logs, in which others begin theirs.
         words += ["--slurm-logdir", tmp_path / f"logs-{number}"]
-        runs.append(slurm.start_run(finished_copy, tmp_path / f"{number}", *words, **fault[1]))
+        log = tmp_path / f"{number}"
+        runs.append(slurm.start_run(finished_copy, log, *words, **fault.variables))
     codes = [run.wait(slurm.RUN_SECONDS) for run in runs]
     assert codes == [1] * len(FAULTS)
-    for number, (_, _, reason, key) in enumerate(FAULTS):
+    for number, fault in enumerate(FAULTS):
         text = (tmp_path / f"{number}").read_text()
         (line,) = [line for line in text.splitlines() if "compute_filtered_forces" in line]
-        assert_says(line, "SLURM job cutoffs_compute_filtered_forces: ", reason, f"change {key}")
+        assert_says(line, "SLURM job cutoffs_compute_filtered_forces: ", fault.reason)
+        assert_says(line, f"change {fault.key}")
         assert not re.search("sacct|Error|Traceback", text), text
 
 
@@ -74,22 +82,3 @@ def test_slurm_recovers_a_cancelled_job_and_gives_the_same_values(cluster, finis
     lines = differences(study / "results", finished / "results")
     assert all((study / target).is_file() for target in targets)
     assert [line for line in lines if not line.endswith(": missing")] == []
-
-
-@pytest.mark.skipif(not REAL_SCANS.is_dir(), reason=f"no real scans in {REAL_SCANS}")
-def test_real_scans_give_plausible_roughness_edges_and_forces(repository):
-    files = [REAL_SCANS / name for name in ("uncd-demo-container.zip", "afm-10um-512.di")]
-    results = make_study(repository, "both", *files)
-    surface = read_quantities(results)["both"]
-    assert surface["scan_size"]["value"] == 10_000.0
-    assert 14.2 < surface["scan_1_rms_height"]["value"] < 14.4
-    assert set(xr.load_dataset(results / "spectra.nc")["kind"].values.ravel()) == {
-        "map",
-        "line scan",
-    }
-    mean = surface["mean_force"]
-    assert mean["low"] < mean["value"] < mean["high"]
-    assert 20 < surface["short_edge"]["value"] < 100
-    cautions = {note["code"] for note in read_answer(results)["notes"] if note["kind"] == "caution"}
-    assert "conditional_intervals" in cautions
-    assert surface["force_extrapolated_short"]["value"] < 0.7 * mean["value"]
