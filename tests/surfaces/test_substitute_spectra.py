@@ -68,10 +68,10 @@ def test_segments_with_all_parameters_follow_their_models(write_description, tmp
         "50,7,profile,,,,,points.csv",
         "7,0.31,power law,,,0.5,,",
     )
-    density, segments, calibrated = substitute_spectra.spectrum_from_description(
+    density, segments, calibrated_rows = substitute_spectra.spectrum_from_description(
         path, NO_TABLE1, WEIGHTS
     )
-    assert calibrated == [] and len(segments) == 5
+    assert calibrated_rows == [] and len(segments) == 5
     table = Spectrum(WAVEVECTORS, density)
     q = 2 * np.pi / np.array([1500.0, 700.0, 200.0, 24.0])
     models = [

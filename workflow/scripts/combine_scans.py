@@ -8,8 +8,12 @@ from hardcontact.surfaces.height_map import load_height_map
 with run_job(snakemake) as job:
     params = job.parameters
     seed_words = [params[name] for name in ("surface", "scan", "sphere_scan")]
-    bodies = [load_height_map(path) for path in (job.input.substrate, job.input.sphere)]
+    combined_map = combine_maps(
+        generator(params["seed"], *seed_words, "both bodies"),
+        substrate=load_height_map(job.input.substrate),
+        sphere=load_height_map(job.input.sphere),
+    )
     job.write(
-        combine_maps(generator(params["seed"], *seed_words, "both bodies"), *bodies).to_dataset(),
+        combined_map.to_dataset(),
         title="roughness of a substrate and of the sphere, with mirror images, periodic",
     )

@@ -8,8 +8,8 @@ from hardcontact.surfaces.height_map import load_height_map
 with run_job(snakemake) as job:
     params = job.parameters
     scans = [
-        level_and_list_defects(load_height_map(file), params["sphere_radius"], params["levelling"])
-        for file in job.input.measurements
+        level_and_list_defects(load_height_map(path), params["sphere_radius"], params["levelling"])
+        for path in job.input.measurements
     ]
     job.write(
         joined_spectrum(scans, params["tip_radii"]),

@@ -1,4 +1,4 @@
-"""A measured scan as its file has it, in nm: a map on square pixels, or a line scan."""
+"""A measured scan in nm, not levelled: the central square of a map, or a line scan."""
 
 from hardcontact.records.job import run_job
 from hardcontact.scans.reading import read_scan

@@ -17,8 +17,8 @@ with run_job(snakemake) as job:
             for realization in range(1, len(job.output) + 1)
         ),
         [
-            remove_form(load_height_map(file), params["sphere_radius"], params["levelling"])
-            for file in job.input.measurements
+            remove_form(load_height_map(path), params["sphere_radius"], params["levelling"])
+            for path in job.input.measurements
         ],
         params["tip_radii"],
     )

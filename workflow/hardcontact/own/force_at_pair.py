@@ -178,7 +178,7 @@ def add_extrapolated_force(
 
 
 def _plastic_at_range(data: Any, rho: float) -> Any:
-    """Return a dataset or array in plastic contact, at the computed range nearest to rho (nm)."""
+    """Return a dataset or array for plastic contact, at the computed range nearest to rho (nm)."""
     return data.sel(contact_model=PLASTIC, drop=True).sel(rho=rho, method="nearest", drop=True)
 
 
@@ -208,6 +208,7 @@ def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
     The bound is ``smooth_bound`` (contact_model, rho) in N; the contact `area` is in nm². Single
     contacts have no such bound. Proof: workflow/report/theory.md (Upper bound of the force).
     """
+    # Rigid contact has no area.
     areas = area * (force["contact_model"] == PLASTIC)
     work = force.attrs["work_of_adhesion"]
     radius = force.attrs["sphere_radius"]
@@ -240,10 +241,11 @@ def add_closed_form(force: xr.Dataset, spectra: xr.Dataset, contact: Contact) ->
 
 
 def add_sizes(force: xr.Dataset, topography: xr.Dataset, contact: Contact) -> xr.Dataset:
-    """Return forces (surface) and search sizes with the sizes of scans, window and pixels, in nm.
+    """Return forces and search sizes (surface) with numbers on the sizes of scans and window.
 
-    ``finite_scan_ratio`` (surface, end) is the force on the scan relative to a large scan,
-    ``window_share`` (rho) the share of a smooth sphere's attraction within the window.
+    ``finite_scan_ratio`` (surface, end) bounds the force on a scan relative to a large scan;
+    ``window_share`` (rho) is the share of a smooth sphere's attraction within the window. The
+    ``pixel_area`` (surface) and the attribute `contact_area` are in nm², `window` in nm.
     """
     scans = topography[["scan_size", "pixel_size"]].sel(surface=force["surface"])
     ratios = [

@@ -124,7 +124,7 @@ def hindcast_forces(
 def _split_at_octave(
     mirrored: HeightMap, side: str, octave: Octave
 ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """Return two maps: the heights without an octave and all waves beyond it, and the octave."""
+    """Return the remaining heights, without the octave and the waves beyond it, and the octave."""
     series = filtered_series(mirrored, "short", list(octave), mirrored.pixels)
     octave_and_longer, longer = (waves.heights for waves in series)
     kept_heights = longer if side == "short" else mirrored.heights - octave_and_longer
@@ -135,11 +135,11 @@ def _artificial_octave(
     mirrored: HeightMap, octave: Octave, body: RandomBody, seed_word: str, index: int
 ) -> NDArray[np.float32]:
     """Return random heights of one octave, as wide as the scan of a body, and mirrored."""
-    highest, lowest = 2 * np.pi / np.array(octave)
+    highest_q, lowest_q = 2 * np.pi / np.array(octave)
 
     def octave_spectrum(wavevector: Floats) -> Floats:
         """Return C_iso (nm⁴) within the octave, zero outside."""
-        is_inside = (lowest < wavevector) & (wavevector <= highest)
+        is_inside = (lowest_q < wavevector) & (wavevector <= highest_q)
         return np.where(is_inside, body.spectrum(wavevector), 0.0)
 
     rng = generator(body.seed, *body.random_stream, "hindcast", seed_word, index)
@@ -153,10 +153,11 @@ def _artificial_octave(
 
 
 def hindcast_ratios(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
-    """Return ``hindcast_ratio`` and ``hindcast_fails`` (side) from the forces on maps of a surface.
+    """Return ``hindcast_ratio`` and ``hindcast_fails`` (side) from the forces on a surface's scans.
 
-    The ratio is the mean force with artificial octaves relative to the force with the octave of the
-    scans. Its interval is that of the ratio with one more random octave. The hindcast fails if
+    The dimension `map` of the forces has an entry for each scan. The ratio is the mean force with
+    artificial octaves relative to the force with the octave of the scans. Its interval is a
+    prediction interval, which holds the ratio with one more random octave. The hindcast fails if
     there is no octave, or if the whole interval lies outside the tolerance.
     """
     dimensions = ["map", *CONTACT_AXES]

@@ -73,7 +73,7 @@ def read_own_spectrum(
 
 
 def spectrum_of_map(scan: HeightMap) -> OwnSpectrum:
-    """Return the spectrum of a map at its reliable wavelengths; the map is levelled once more."""
+    """Return the spectrum of a map, which is levelled first, at its reliable wavelengths."""
     return _spectrum_of_scans([level_and_list_defects(scan)])
 
 
@@ -99,7 +99,7 @@ def add_sphere_roughness(surface: OwnSpectrum, sphere: OwnSpectrum, seed: int) -
 
 
 def _sum_of_maps(substrate: HeightMap, sphere: HeightMap, *, seed: int) -> HeightMap:
-    """Return the levelled map of a substrate with the roughness of the sphere."""
+    """Return the sum of the levelled maps of both bodies, on the substrate's pixels."""
     rng = generator(seed, "both bodies")
     mirrored = combine_maps(rng, mirror_in_float32(substrate), mirror_in_float32(sphere))
     heights = mirrored.heights[: substrate.pixels, : substrate.pixels]
@@ -109,7 +109,7 @@ def _sum_of_maps(substrate: HeightMap, sphere: HeightMap, *, seed: int) -> Heigh
 def _spectrum_of_scans(scans: Sequence[HeightMap], tip_radius: float | None = None) -> OwnSpectrum:
     """Return the joined spectrum of scans of different areas, with cautions and other notes.
 
-    Later scans of the same area are left out. The tip radius (nm) serves scans without their own.
+    Later scans of the same area are left out. The tip radius (nm) is for scans without their own.
     """
     repeated = repetition_notes(scans, [scan.name for scan in scans])
     scans = [scan for index, scan in enumerate(scans) if index not in repeated]

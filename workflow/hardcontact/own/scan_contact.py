@@ -65,7 +65,10 @@ def contact_on_scan(scan: HeightMap, contact: Contact) -> Contact:
 
 
 def find_obstacle(scans: Sequence[HeightMap], contact: Contact) -> tuple[Obstacle, float]:
-    """Return why levelled scans give no force, and the shortest range (nm) that a map resolves."""
+    """Return why levelled scans give no force, and the shortest range (nm) that a map resolves.
+
+    The range is NaN if any other obstacle is found first.
+    """
     if not any(scan.kind == "map" for scan in scans):
         return Obstacle.NO_MAP, math.nan
     if len(scans) > 1:

@@ -65,7 +65,8 @@ def prediction_and_scan_force(
 ) -> dict[str, Number]:
     """Return the numbers of the closed form for a spectrum, and of the force on its only map.
 
-    Unless the closed form agrees with the force on the map, its numbers are OUTSIDE.
+    If there is a force on the map, and the closed form does not agree with it, finite numbers of
+    the closed form are OUTSIDE, and their intervals are NaN.
     """
     numbers = prediction(own_spectrum.spectrum, contact, tolerance, name)
     scan_numbers = force_on_scan(own_spectrum, contact, confidence)
@@ -168,7 +169,8 @@ def _closed_form_number(
     """Return the force in closed form for all wavelengths of the mirrored scan.
 
     The force on the map agrees if it lies between the lower end of the closed form's interval and
-    the upper end times `small_scan_ratio`, and the closed form was tested on such spectra.
+    the upper end times `small_scan_ratio`, and the closed form was tested on such spectra. Unless
+    it agrees, the interval is NaN.
     """
     wavevector, _, density = measured_psds(mirrored_scan)
     has_waves = np.isfinite(density)

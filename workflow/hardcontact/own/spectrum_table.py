@@ -54,7 +54,7 @@ def read_spectrum_table(path: str | Path) -> Spectrum:
     """Return C_iso (nm⁴) of a CSV.
 
     Its columns are `wavevector` or `wavelength`, `c_iso` or `c_1d`, and the unit of each with the
-    end `_unit`. C_1D is converted by the inverse Abel transform. A density of 0 means no roughness.
+    end `_unit`. C_1D is converted by the inverse Abel transform. A C_iso of 0 means no roughness.
     """
     table = user_table(path, "a table of a power spectral density")
     wave_column = _find_column(table, WAVE_COLUMNS)
@@ -93,17 +93,18 @@ def _wavevector_and_density(row: Row, wave_column: str, density_column: str) -> 
     """Return wavevector (rad/nm) and density (C_iso in nm⁴, C_1D in nm³) of a row."""
     wave = parse_number(row[wave_column])
     density = parse_number(row[density_column])
-    power = 4 if density_column == "c_iso" else 3
+    is_isotropic = density_column == "c_iso"
     if not 0 < wave < math.inf:
         found = quote_key(row[wave_column])
         raise ValueError(f"{wave_column}: expected a positive number, found {found}")
-    if not (0 < density < math.inf or (power == 4 and density == 0)):
-        accepted = "a number of at least 0" if power == 4 else "a positive number"
+    if not (0 < density < math.inf or (is_isotropic and density == 0)):
+        accepted = "a number of at least 0" if is_isotropic else "a positive number"
         found = quote_key(row[density_column])
         raise ValueError(f"{density_column}: expected {accepted}, found {found}")
     unit_length = _length_in_nm(row, wave_column)
     is_wavelength = wave_column == "wavelength"
     wavevector = 2 * math.pi / (wave * unit_length) if is_wavelength else wave / unit_length
+    power = 4 if is_isotropic else 3
     return wavevector, density * _length_in_nm(row, density_column) ** power
 
 

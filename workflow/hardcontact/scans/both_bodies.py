@@ -27,7 +27,10 @@ HALF_BIN_RATIO = 10**0.05
 
 
 def combine_maps(rng: np.random.Generator, substrate: HeightMap, sphere: HeightMap) -> HeightMap:
-    """Return the sum of two mirrored maps, on the substrate's pixels, mirrored again."""
+    """Return a mirrored map of the substrate plus the sphere's roughness at a random position.
+
+    Both given maps are mirrored; the map returned has the pixels of the substrate.
+    """
     pixels = substrate.pixels // 2
     roughness = _resample(sphere, substrate.pixel_size).heights
     rows, columns = (start + np.arange(pixels) for start in rng.integers(len(roughness), size=2))
@@ -37,7 +40,7 @@ def combine_maps(rng: np.random.Generator, substrate: HeightMap, sphere: HeightM
 
 
 def _resample(surface: HeightMap, pixel_size: float) -> HeightMap:
-    """Return a periodic map on pixels of about this size (nm), without waves shorter than two."""
+    """Return a periodic map on pixels of about this size (nm), without waves below two pixels."""
     pixels = round(surface.size / pixel_size)
     if pixels < surface.pixels:
         surface = lowpass(surface, surface.size / (pixels // 2 - 1))
@@ -47,8 +50,8 @@ def _resample(surface: HeightMap, pixel_size: float) -> HeightMap:
 def combine_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
     """Return the sum of two joined spectra, with the measurements of both bodies.
 
-    A measurement is reliable where its body has most of the power. ``sphere_share``
-    (bin_wavevector) is the sphere's share of the power.
+    Measurements stay reliable only where their body has most of the power. ``sphere_share``
+    (bin_wavevector) is the sphere's share of the power. Raises ValueError if none stays reliable.
     """
     substrate_density = spectrum_of_dataset(substrate)(BIN_CENTRES)
     sphere_density = spectrum_of_dataset(sphere)(BIN_CENTRES)
@@ -116,7 +119,7 @@ def sphere_share(spectra: xr.Dataset, wavelength: float) -> float:
 
 
 def combine_sampled_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
-    """Return the sum of two sampled spectra, and the rms of the height factors, by variance."""
+    """Return the sum of two sampled spectra; ``height_factor`` is an rms weighted by variances."""
     bodies = (substrate, sphere)
     variances = [all_scales_rms(spectrum_of_dataset(body))[0] ** 2 for body in bodies]
     squared_factors = [float(body.attrs["height_factor"]) ** 2 for body in bodies]

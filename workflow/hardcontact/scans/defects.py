@@ -1,7 +1,7 @@
 """Find defects of a scan that make forces wrong although its file is readable, and state them.
 
 A defect has a code and numbers, such as the share of spikes (DEFECTS). `map_defects` finds those
-that a line scan cannot have.
+that need the waves or the shape of a whole map.
 """
 
 from collections.abc import Mapping
@@ -138,11 +138,11 @@ def _find_spikes(heights: Floats) -> Defect:
 
 
 def _isolation(heights: Floats) -> Floats:
-    """Return the distance of each height to its nearest neighbour, or second nearest in a map."""
+    """Return the least difference of each height from its neighbours; in a map the second least."""
     padded = np.pad(heights, 1, constant_values=np.inf)
     nearest = second_nearest = np.full(heights.shape, np.inf)
     for start in product(range(3), repeat=heights.ndim):
-        if set(start) == {1}:
+        if set(start) == {1}:  # the pixel itself
             continue
         window = (slice(i, i + count) for i, count in zip(start, heights.shape, strict=True))
         distance = np.abs(padded[tuple(window)] - heights)
@@ -173,7 +173,7 @@ def _find_clipping(heights: Floats) -> dict[str, Defect]:
 
 
 def _find_sidewalls(heights: Floats) -> Defect:
-    """Return the share of the squared slopes at the steepest pixels, which are sidewalls."""
+    """Return the share of the squared slopes at the steepest pixels, if these are sidewalls."""
     if heights.ndim == 2:
         squares = np.diff(heights, axis=0)[:, 1:] ** 2 + np.diff(heights, axis=1)[1:] ** 2
     else:

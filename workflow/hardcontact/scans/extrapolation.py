@@ -182,8 +182,9 @@ def extrapolate_short_waves(
 
 
 def _find_tail_end(density: Floats) -> tuple[int, TailEnd]:
-    """Return the last index of WAVEVECTORS within the bounds, and `tail_ended_by`."""
+    """Return the last index of WAVEVECTORS within all bounds, and the bound exceeded first."""
 
+    # The squares are ∫ q^4 C_iso d ln q / 2 pi, and ∫ q^6 C_iso d ln q / 2 pi, divided by 4.
     def rms(power: int, divisor: int) -> Floats:
         square = density * WAVEVECTORS**power / divisor / (2 * np.pi)
         return np.sqrt(scipy.integrate.cumulative_trapezoid(square, LOG_WAVEVECTORS, initial=0))
@@ -210,8 +211,9 @@ def extrapolate_long_waves(density: Floats, longest: float, slope: float, rollof
 
 
 def share_after_levelling(wavevector: Floats, size: float, kind: str) -> Floats:
-    """Return the share (q,) of the variance of random waves that remains in a levelled scan."""
+    """Return the share (q,) of the variance of waves that remains in a levelled scan of a size."""
     angle = (np.arange(DIRECTION_COUNT) + 0.5) * np.pi / 2 / DIRECTION_COUNT
+    # Below this phase the share would be lost in rounding.
     half_phase = np.maximum(wavevector[:, None] * size / 2, 1e-3)
     mean_x, slope_x = squared_projections(half_phase * np.cos(angle))
     if kind == "line scan":
@@ -222,18 +224,18 @@ def share_after_levelling(wavevector: Floats, size: float, kind: str) -> Floats:
 
 
 class RolloffEvidence:
-    """The rms height of the scans of a surface that show the longest waves, as evidence."""
+    """The variance of heights of the widest scans of a surface, as evidence of the roll-off."""
 
     def __init__(
         self, scans: Sequence[HeightMap], densities: Floats, bands: Sequence[ReliableBand]
     ) -> None:
-        """Keep the evidence of the widest scans; PSDs (scan, bins) and bands are of all scans."""
+        """Keep the evidence of the widest scans; C_iso (scan, bins) and bands are of all scans."""
         longest = max(band.longest for band in bands)
         is_widest = np.array([band.longest == longest for band in bands])
         widest_scans = [scan for scan, widest in zip(scans, is_widest, strict=True) if widest]
         kind = widest_scans[0].kind
         self.size = widest_scans[0].size
-        self.count = len(widest_scans)
+        self.scan_count = len(widest_scans)
         #: The mean variance of the levelled heights in nm².
         self.variance = float(np.mean([level_plane(scan).heights.T.var() for scan in widest_scans]))
         self._measured_density = np.nan_to_num(densities[is_widest]).mean(axis=0)
@@ -256,9 +258,7 @@ class RolloffEvidence:
         """
         if slope >= 0:
             return longest
-        rolloffs = np.geomspace(
-            longest, max(MAX_ROLLOFF_OVER_SIZE * self.size, 1.01 * longest), ROLLOFF_COUNT
-        )
+        rolloffs = np.geomspace(longest, MAX_ROLLOFF_OVER_SIZE * self.size, ROLLOFF_COUNT)
         spectra = (extrapolate_long_waves(density, longest, slope, rolloff) for rolloff in rolloffs)
         log_likelihoods = np.array([self._log_likelihood(spectrum) for spectrum in spectra])
         posterior = np.exp(log_likelihoods - log_likelihoods.max())
@@ -274,7 +274,7 @@ class RolloffEvidence:
         power = density * WAVEVECTORS**2 * self._share_after_levelling / (2 * np.pi)
         expected_variance = np.trapezoid(power, LOG_WAVEVECTORS) + self._noise_variance(density)
         variance_of_variance = np.trapezoid(power**2 / self._mode_count, LOG_WAVEVECTORS)
-        shape = expected_variance**2 / variance_of_variance * self.count
+        shape = expected_variance**2 / variance_of_variance * self.scan_count
         scale = expected_variance / shape
         ratio = self.variance / scale
         return float(

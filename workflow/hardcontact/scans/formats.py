@@ -41,7 +41,7 @@ TIP_RADIUS_IN_WORDS = re.compile(
 def read_fields(
     content: bytes, dataset: str, undefined_pixels: str, unit: str, map_size: float | str, mask: str
 ) -> dict[str, Any]:
-    """Return the fields of a `HeightMap` that its file states, for `scans.read_scan`."""
+    """Return fields of a `HeightMap`; the arguments are those of `reading.read_scan`."""
     reader, entry, notes = open_scan(content, dataset)
     unit = unit.replace("angstrom", "Å")
     channel, channel_notes = _find_height_channel(reader, entry, "" if entry else dataset)
@@ -216,7 +216,7 @@ def _find_height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple
     """Return the channel of heights that the user, the container or the reader chooses, and notes.
 
     The user's channel, by `name`, is refused if it holds no heights. If the container or the reader
-    chooses such a channel, the first channel of heights is read instead.
+    chooses a channel without heights, the first channel of heights is read instead.
     """
     channels = reader.channels
     container_index = entry.get("data_source")
@@ -269,18 +269,18 @@ def _unit_in_words(channel: Any) -> str:
 
 
 def find_tip_radius(
-    file: dict[str, Any], container: dict[str, Any]
+    file_metadata: dict[str, Any], container_metadata: dict[str, Any]
 ) -> tuple[float | None, list[str]]:
     """Return the radius of the tip (nm), and a note on its source; None if it is not stated.
 
     Numbers of the file, then of its container, come before words. The largest radius in words
     counts, because a worn tip limits the scan.
     """
-    for source, metadata in (("file", file), ("container", container)):
+    for source, metadata in (("file", file_metadata), ("container", container_metadata)):
         radius = _radius_in_numbers(metadata)
         if radius is not None:
             return radius, [f"tip radius of {radius:.4g} nm stated by the {source}"]
-    matches = TIP_RADIUS_IN_WORDS.findall(str(container.get("description") or ""))
+    matches = TIP_RADIUS_IN_WORDS.findall(str(container_metadata.get("description") or ""))
     if not matches:
         return None, []
     radius = max(float(value) * unit_in_nm(unit) for value, unit in matches)

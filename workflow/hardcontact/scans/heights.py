@@ -150,7 +150,10 @@ def _largest_square(heights: np.ma.MaskedArray) -> np.ma.MaskedArray:
 def _square_pixels(
     heights: np.ma.MaskedArray, widths: Floats
 ) -> tuple[np.ma.MaskedArray, float, list[str]]:
-    """Return heights (x, y) on square pixels, interpolated from pixels of these widths (nm)."""
+    """Return heights (x, y) on square pixels, the width of a pixel (nm), and notes.
+
+    Pixels whose `widths` (nm) differ are resampled to the larger width.
+    """
     # Squares of the smaller width would lack short waves along one axis.
     wider = float(widths.max())
     if not 0 < widths.min() <= wider < np.inf:
@@ -160,8 +163,8 @@ def _square_pixels(
     values = heights.filled(np.nan)
     for axis, width in enumerate(widths):
         positions = np.arange(values.shape[axis]) * width
-        squares = np.arange(int(values.shape[axis] * width / wider * (1 + 1e-9))) * wider
-        lines = [np.interp(squares, positions, line) for line in np.moveaxis(values, axis, -1)]
+        grid = np.arange(int(values.shape[axis] * width / wider * (1 + 1e-9))) * wider
+        lines = [np.interp(grid, positions, line) for line in np.moveaxis(values, axis, -1)]
         values = np.moveaxis(np.array(lines), -1, axis)
     refuse_point_counts(values.shape)
     notes = [f"resampled from pixels of {widths[0]:.4g} nm x {widths[1]:.4g} nm to {wider:.4g} nm"]

@@ -49,7 +49,7 @@ UNKNOWN_TIP_RADII = (5.0, 50.0)
 
 
 class _MeasuredSpectra(NamedTuple):
-    """The scans of a surface, with their spectra and reliable bands."""
+    """The spectra of the scans of a surface, with tips and reliable bands."""
 
     radii: Sequence[float | None]  #: Radii of the tips in nm; None if unknown.
     densities: Floats  #: (scan, bins) C_iso in nm⁴, NaN in empty bins.
@@ -122,10 +122,10 @@ def sample_spectra(
     scans: Sequence[HeightMap],
     tip_radii: Sequence[float | None],
 ) -> Iterator[tuple[Spectrum, Floats]]:
-    """Yield, by generator, a spectrum of a surface within the uncertainty of the scans.
+    """Yield, for each random generator, a spectrum within the uncertainty of levelled scans.
 
     Samples differ in the power and the bends of the curve, the calibrations, unknown tip radii, the
-    tail and the roll-off. Also yields the factors (scan,) of measured relative to true heights.
+    tail and the roll-off. Also yields factors (scan,) from measured to true heights.
     """
     measured = _measured_spectra(scans, tip_radii)
     for rng in rngs:

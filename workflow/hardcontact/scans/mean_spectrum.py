@@ -101,10 +101,11 @@ def smooth_curve_without_peaks(bins: MeanBins, rng: np.random.Generator | None =
 
 
 def match_height_variance(curve: Curve, power: Floats) -> Curve:
-    """Return a curve changed so that its heights have the variance of C_iso (bins,), NaN in gaps.
+    """Return a curve changed so that its variance of heights is that of `power`, the mean C_iso.
 
-    Each ln C changes in proportion to its own variance and to the share of its bin in the variance
-    of heights. To first order, this is the most likely curve with this variance of heights.
+    Gaps, in which `power` (bins,) is NaN, do not count. Each ln C changes in proportion to its own
+    variance and to the share of its bin in the variance of heights. To first order, this is the
+    most likely curve with this variance of heights.
     """
     wavevector, density, variance = curve
     power = power[np.isin(BIN_CENTRES, wavevector)]

@@ -28,7 +28,7 @@ SMOOTHING_WIDTH = 0.1 * np.log(10)
 MAX_WIDENING = 4.0
 #: Bins with fewer independent modes have a wider kernel.
 ENOUGH_MODES = 20.0
-#: Values of u with p = q cosh u in the integral, down to a thousandth of the wavelength: shorter
+#: Values of u with p = q cosh u in `_inverse_abel`, down to a thousandth of the wavelength: shorter
 #: waves add less than a thousandth.
 INTEGRATION_POINTS = np.linspace(0, 7.6, 400)
 #: Slope of the flattest C_1D of a self-affine surface, q^-1: extrapolated C_1D is no flatter.
@@ -36,10 +36,11 @@ FLATTEST_PROFILE_SLOPE = -1.0
 
 
 def isotropic_psd(scan: HeightMap) -> Floats:
-    """Return C_iso (bins,) in nm⁴ of a scan, which is levelled; NaN in empty bins."""
+    """Return C_iso (bins,) in nm⁴ of a scan, which is levelled first; NaN in empty bins."""
     levelled = level_plane(scan)
     if scan.kind == "map":
-        return measured_psds(levelled)[2]
+        _, _, isotropic = measured_psds(levelled)
+        return isotropic
     modes = independent_modes(scan.kind, scan.size)
     return isotropic_from_profile(BIN_CENTRES, profile_psd(levelled), modes)
 
@@ -70,7 +71,8 @@ def independent_modes(kind: str, size: float) -> Floats:
 def variance_of_log(modes: Floats) -> Floats:
     """Return the variance of ln C of a mean over independent modes: the trigamma of their number.
 
-    The mean is a gamma variable, because squares of Fourier amplitudes are exponential.
+    The mean is a gamma variable, because squares of Fourier amplitudes are exponential. Less than
+    one mode has the variance of one mode over their number.
     """
     trigamma = scipy.special.polygamma(1, np.maximum(modes, 1.0))
     return np.asarray(trigamma / np.minimum(modes, 1.0))
@@ -85,7 +87,8 @@ def bias_of_log(modes: Floats) -> Floats:
 def local_slopes(wavevector: Floats, density: Floats, variance: Floats) -> tuple[Floats, Floats]:
     """Return d ln C / d ln q of a spectrum, fitted to half a decade around each bin, and its error.
 
-    `variance` (bins,) belongs to ln C. Where a half decade has a single bin, the slope is NaN.
+    `variance` (bins,) belongs to ln C. Where a half decade has a single bin, the slope is NaN
+    and its error infinite.
     """
     distance = np.log(wavevector) - np.log(wavevector)[:, None]
     is_near = np.abs(distance) <= SLOPE_HALF_WIDTH

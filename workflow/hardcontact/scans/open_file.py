@@ -21,7 +21,8 @@ from SurfaceTopography.Support.UnitConversion import is_length_unit
 from hardcontact.scans.heights import RefusedFile
 from hardcontact.scans.plain_text import NUMBERS, readable_text
 
-#: Modules that readers import while they read, when the child process can open no file any more.
+#: Modules that readers import only while they read. They are imported here, because `reading` lets
+#: readers open no files.
 IMPORTED_LATE = (
     "SurfaceTopography.IO.description", "h5py", "tifffile", "zstandard", "encodings.ascii",
     "encodings.cp1252", "encodings.cp437", "encodings.latin_1", "encodings.utf_16",
@@ -46,8 +47,8 @@ VALUE_UNIT = re.compile(r"(?:value units|z-unit|unit data)\s*[:=]\s*(\S+)", re.I
 #: What to do with a file whose heights no reader takes.
 SAVE_AS_TEXT = "save the heights as text or netCDF, for example with Gwyddion"
 PICTURE = f"a picture, whose grey values are not heights: {SAVE_AS_TEXT}"
-#: Types of files without heights on a grid, by a description with the remedy: their first bytes. No
-#: reader is tried.
+#: First bytes of files without heights on a grid, by words for their type and the remedy. No reader
+#: is tried on them.
 TYPES_WITHOUT_HEIGHTS = {
     PICTURE: (b"P2\n", b"P5\n", b"\x89PNG", b"\xff\xd8\xff", b"GIF8"),
     "a model of triangles or points: save its points as a text of x, y, height": (
@@ -55,7 +56,7 @@ TYPES_WITHOUT_HEIGHTS = {
     ),
     f"a document: {SAVE_AS_TEXT}": (b"%PDF",),
 }  # fmt: skip
-#: The same for types of files that some reader may take.
+#: First bytes of files that some reader may take, by words for their type and the remedy.
 TYPES_OFTEN_REFUSED = {
     "a compressed file of MountainsMap: save it without compression": (b"DSCOMPRESSED",),
     "an archive: unpack it, and give the scans in it": (
@@ -68,7 +69,10 @@ UNKNOWN_UNIT = re.compile("Unknown unit '(.*)'|.* while unit '(.*)' is of kind")
 
 
 def list_datasets(content: bytes) -> dict[str, Any]:
-    """Return {"datasets": names}: the data files in a container, or one empty name otherwise."""
+    """Return {"datasets": names}, a dictionary as `reading.read_in_child` expects.
+
+    A container has the names of its data files, any other file one empty name.
+    """
     entries = _container_entries(_decompress(content))
     return {"datasets": [""] if entries is None else [entry["file"] for entry in entries]}
 
@@ -168,7 +172,7 @@ def _open_reader(content: bytes) -> Any:
 
 
 def _file_type_in_words(content: bytes, types: Mapping[str, tuple[bytes, ...]]) -> str:
-    """Return the type of file that begins like this content, an empty text if none does."""
+    """Return the words for the type whose first bytes the content has; an empty text for none."""
     return next((words for words, begin in types.items() if content.startswith(begin)), "")
 
 

@@ -1,4 +1,4 @@
-"""Complete the grid of points x, y, height, on or near which most of them lie.
+"""Complete the grid on or near which points x, y, height lie.
 
 Points that are missing become undefined pixels; heights beside the grid are interpolated on it.
 """
@@ -23,9 +23,10 @@ SPLINE_ITERATIONS = 10
 
 
 def grid_points(points: Floats) -> tuple[list[str], list[str]]:
-    """Return the rows of all points of a grid, NaN where points are missing, and notes.
+    """Return the texts "x y height" of all points of a grid, with nan for missing ones, and notes.
 
-    No rows if points (n, 3) share a pixel, or if their grid is complete.
+    Returns no texts if points (n, 3) fill their grid exactly or less than half of it, or share a
+    pixel.
     """
     axes = [_grid_axis(positions) for positions in points[:, :2].T]
     if not all(len(axis) for axis in axes):
@@ -36,7 +37,8 @@ def grid_points(points: Floats) -> tuple[list[str], list[str]]:
     shape = (len(axes[0]), len(axes[1]))
     pixel_indices = np.ravel_multi_index(indices.T, shape)
     size = shape[0] * shape[1]
-    if not MAX_UNDEFINED_SHARE * size <= len(np.unique(pixel_indices)) == len(pixel_indices):
+    shares_pixels = len(np.unique(pixel_indices)) < len(pixel_indices)
+    if shares_pixels or len(pixel_indices) < (1 - MAX_UNDEFINED_SHARE) * size:
         return [], []
     offsets = (points[:, :2] - corner) / steps - indices
     distance = float(np.abs(offsets).max())
@@ -74,7 +76,10 @@ def _heights_on_grid(heights: Floats, indices: NDArray[np.intp], offsets: Floats
 
 
 def _grid_axis(positions: Floats) -> Floats:
-    """Return the evenly spaced positions (n,) of a grid, on or near which all positions lie."""
+    """Return the evenly spaced positions (k,) of a grid, on or near which positions (n,) lie.
+
+    Returns none if all positions are equal.
+    """
     extent = float(np.ptp(positions))
     if not 0 < extent < np.inf:
         return np.empty(0)
@@ -89,12 +94,13 @@ def _grid_axis(positions: Floats) -> Floats:
 
 
 def _crowded_axis(positions: Floats, extent: float) -> Floats:
-    """Return the evenly spaced positions (n,) near which positions crowd most."""
+    """Return the evenly spaced positions (k,) near which positions (n,) crowd most."""
     counts, edges = np.histogram(positions, POSITION_BINS)
     crowding = np.fft.rfft(counts, ZERO_PADDING * POSITION_BINS)
     minimum, maximum = (ZERO_PADDING * (count - 1) for count in PIXEL_BOUNDS)
     peak = minimum + int(np.abs(crowding[minimum : maximum + 1]).argmax())
     spacing = ZERO_PADDING * extent / peak
+    # The phase of the peak gives the offset of the lines from the centre of the first bin.
     offset = 0.5 / POSITION_BINS * extent - np.angle(crowding[peak]) / (2 * np.pi) * spacing
     first_step = round((positions.min() - edges[0] - offset) / spacing)
     last_step = round((positions.max() - edges[0] - offset) / spacing)

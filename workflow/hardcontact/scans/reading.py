@@ -1,7 +1,7 @@
 """Read scans of any microscope, in a child process.
 
 The bytes of a file may be damaged or hostile. The child therefore can open and write no file, and
-has limits of memory and time.
+has limits of time and, on Linux, of memory.
 """
 
 import faulthandler
@@ -27,7 +27,7 @@ from hardcontact.surfaces.height_map import HeightMap
 
 #: The largest file in bytes: four times a map of 8192 x 8192 pixels in single precision.
 MAX_FILE_BYTES = 2**30
-#: Largest memory of the child in bytes.
+#: Largest memory that the child may add, in bytes.
 MAX_MEMORY = 4 * 2**30
 #: Memory for any file, in bytes.
 SMALL_FILE_MEMORY = 2**29
@@ -58,7 +58,7 @@ class ReadingOptions(NamedTuple):
     undefined_pixels: str = "harmonic"  #: They are filled, so that the scan can be measured.
 
     def read_scan(self, path: str | Path, dataset: str) -> HeightMap:
-        """Read a scan with these options."""
+        """Read a scan, not levelled; later steps use the tip radius and the levelling."""
         return read_scan(path, dataset, self.undefined_pixels, self.unit, self.map_size, self.mask)
 
 

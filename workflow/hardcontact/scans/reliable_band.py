@@ -85,9 +85,9 @@ class ReliableBand(NamedTuple):
 
 def reliable_band(scan: HeightMap, tip_radius: float | None, density: Floats) -> ReliableBand:
     """Return the reliable wavelengths of a scan with a C_iso (bins,); None for an unknown tip."""
-    pixels = MIN_PIXELS * scan.pixel_size, "pixels"
-    shortest, limit = max([pixels, *_spectral_ends(scan, density)])
-    band = ReliableBand(shortest, scan.size / MIN_WAVES_IN_SIZE, limit)
+    pixel_end = MIN_PIXELS * scan.pixel_size, "pixels"
+    shortest, limit = max([pixel_end, *_spectral_ends(scan, density)])
+    band = ReliableBand(shortest, scan.size / MIN_WAVES_IN_SIZE, limited_by=limit)
     return band if tip_radius is None else limit_by_tip(band, scan, tip_radius)
 
 
@@ -101,7 +101,7 @@ def limit_by_tip(band: ReliableBand, scan: HeightMap, tip_radius: float) -> Reli
 
 
 def _spectral_ends(scan: HeightMap, density: Floats) -> list[tuple[float, str]]:
-    """Return the wavelengths (nm) of noise and smoothing, with their codes in LIMIT_NAMES."""
+    """Return the wavelengths (nm) below which noise or smoothing dominates, with their codes."""
     is_resolved = np.isfinite(density) & (BIN_CENTRES * MIN_PIXELS * scan.pixel_size <= 2 * np.pi)
     q = BIN_CENTRES[is_resolved]
     variance = variance_of_log(independent_modes(scan.kind, scan.size)[is_resolved])

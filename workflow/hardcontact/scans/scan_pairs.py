@@ -4,6 +4,7 @@ Scans of one area, such as trace and retrace, are one sample, not two. Scans tha
 other, because of a wrong unit or another specimen, have a mean spectrum that describes neither.
 """
 
+import math
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from itertools import combinations
@@ -47,7 +48,7 @@ def coarse_map(scan: HeightMap) -> HeightMap:
     """Return a map on at most COMPARED_PIXELS per row; a line scan as it is."""
     if scan.kind == "line scan":
         return scan
-    step = -(-scan.pixels // COMPARED_PIXELS)
+    step = math.ceil(scan.pixels / COMPARED_PIXELS)
     count = scan.pixels // step
     square = scan.heights[: count * step, : count * step]
     means = square.reshape(count, step, count, step).mean(axis=(1, 3))
@@ -75,7 +76,7 @@ def repetition_notes(scans: Sequence[HeightMap], names: Sequence[str]) -> dict[i
 
 
 def have_same_area(scan: HeightMap, other_scan: HeightMap) -> bool:
-    """Return True if two levelled maps from `coarse_map` show the same area.
+    """Return True if two levelled maps from `coarse_map` show the same area; line scans show none.
 
     If the halves of a map correlate as much, as on a grating, correlation proves nothing.
     """
@@ -98,7 +99,7 @@ def _short_waves(scan: HeightMap, pixel_size: float, longest_pixels: float) -> F
     """Return a map on pixels of a size (nm) without waves longer than a number of pixels."""
     ratio = scan.pixel_size / pixel_size
     heights = scan.heights
-    if ratio < 1:
+    if ratio < 1:  # Smoothing first removes waves that wider pixels cannot show.
         heights = scipy.ndimage.zoom(scipy.ndimage.gaussian_filter(heights, 0.4 / ratio), ratio)
     # A Gaussian of this width keeps half of the longest wave.
     width = np.sqrt(2 * np.log(2)) * longest_pixels / (2 * np.pi)
@@ -149,10 +150,12 @@ def find_contradictions(
 ) -> list[Contradiction]:
     """Return the pairs of scans that contradict each other, the largest factor first.
 
-    Scans are compared over all bins (scan, bins) that they share, and over each half decade.
+    Their C_iso `density` (scan, bins) is compared over all bins in which both are `reliable` (scan,
+    bins), and over each half decade of these bins.
     """
     usable = np.asarray(reliable, bool) & np.isfinite(density)
-    modes = np.array([independent_modes(*scan) for scan in zip(kinds, sizes, strict=True)])
+    scans = zip(kinds, sizes, strict=True)
+    modes = np.array([independent_modes(kind, size) for kind, size in scans])
     logs = np.log(np.where(usable, density, 1.0)) + bias_of_log(modes)
     variances = variance_of_log(modes)
     contradictions = []
@@ -163,11 +166,10 @@ def find_contradictions(
         difference = logs[index] - logs[other_index]
         variance = variances[index] + variances[other_index]
         half_decades = sliding_window_view(shared, min(HALF_DECADE_BINS, len(shared)))
-        differences = [
-            (*_mean_difference(difference[bins], variance[bins]), bins)
-            for bins in (shared, *half_decades)
-        ]
-        mean, error, bins = max(differences, key=lambda entry: abs(entry[0]) / entry[1])
+        groups = [shared, *half_decades]
+        means_and_errors = [_mean_difference(difference[bins], variance[bins]) for bins in groups]
+        worst = int(np.argmax([abs(mean) / error for mean, error in means_and_errors]))
+        (mean, error), bins = means_and_errors[worst], groups[worst]
         if abs(mean) > MIN_CONTRADICTION_ERRORS * error:
             higher, lower = (index, other_index) if mean > 0 else (other_index, index)
             shortest, longest = (2 * np.pi / BIN_CENTRES[bins[[-1, 0]]]).tolist()

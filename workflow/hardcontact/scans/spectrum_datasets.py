@@ -36,7 +36,7 @@ PROPERTY_UNITS = {
 def scan_properties(
     scans: Sequence[HeightMap], radii: Sequence[float | None], bands: Sequence[ReliableBand]
 ) -> pd.DataFrame:
-    """Return the PROPERTY_UNITS of scans, one scan a row; defects that no scan has are left out."""
+    """Return properties of scans (PROPERTY_UNITS), a row each, without defects that none has."""
     rows = [
         {
             "kind": scan.kind,
@@ -125,6 +125,7 @@ def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
 
 def _runs_of_one_reference(segments: pd.DataFrame) -> pd.DataFrame:
     """Return the wavelengths and the reference of adjacent segments with the same reference."""
+    # Segments go from long to short wavelengths.
     previous = segments.shift()
     has_gap = segments.longest_nm != previous.shortest_nm
     begins = has_gap | (segments.source != previous.source)
@@ -146,7 +147,7 @@ def stack_spectra(spectra: Mapping[str, xr.Dataset], labels: Mapping[str, str]) 
         )
         for spectrum in spectra.values()
     ]
-    fill = {
+    fill = {  # by kind of dtype: texts, objects, integers, else floats
         name: {"U": "", "O": "", "i": 0}.get(values.dtype.kind, np.nan)
         for name, values in numbered[0].data_vars.items()
     }

@@ -36,7 +36,7 @@ MAX_AMPLITUDE_RATIO = 4.0
 
 
 def scale_rms_heights(rms_heights: Floats, mean: float, std: float) -> Floats:
-    """Return rms heights (scan,), scaled and shifted to a mean and a standard deviation."""
+    """Return rms heights (scan,), scaled and shifted to a mean and, if several, a deviation."""
     differences = rms_heights - rms_heights.mean()
     if len(rms_heights) > 1:
         differences *= std / differences.std(ddof=1)
@@ -99,8 +99,9 @@ def _metric_matrices(components: Sequence[HeightMap], names: Sequence[str]) -> F
 def _fit_batch(matrices: Floats, targets: Targets) -> tuple[Floats, Floats, Floats]:
     """Return the amplitudes (component,) and factors (scan,) that make scans meet their targets.
 
-    The factors on heights have the mean 1. Also returns the relative errors (3,) of the mean rms
-    height, slope and curvature. The `matrices` are (scan, metric, component, component).
+    Bounded amplitudes may miss slope or curvature. Factors on heights have the mean 1. Also returns
+    the relative errors (3,) of the mean rms height, slope and curvature. The `matrices` are (scan,
+    metric, component, component).
     """
     means = np.array(list(targets.means.values()))
 
@@ -176,7 +177,7 @@ def conditioned_scan(
     conditioning: xr.Dataset,
     sphere_radius: float | None = None,
 ) -> HeightMap:
-    """Return a conditioned scan: flat, or of a sphere."""
+    """Return a conditioned scan: flat, or of a sphere if a radius (nm) is given."""
     rng = substitute.generator(scan_number, "scan")
     spectrum = _multiply_amplitudes(substitute.spectrum, conditioning["amplitude_gain"].values)
     factor = conditioning["factor"].sel(scan=scan_number).item()

@@ -63,7 +63,10 @@ class ScanStatistics(NamedTuple):
 
 
 class Features(NamedTuple):
-    """The features of a surface and the amplitude of the base under them."""
+    """The features of a surface and the amplitude of the base under them.
+
+    Without features, density, height and counts are 0 and the width is NaN.
+    """
 
     number_density: float  #: Per µm².
     height: float  #: In nm, negative for pits.

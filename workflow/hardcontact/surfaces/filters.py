@@ -115,28 +115,28 @@ def _inverse_blocks(padded: AnyTransform) -> Iterator[tuple[slice, NDArray[np.fl
 
 
 def filtered_series(
-    master: HeightMap,
+    surface: HeightMap,
     side: str,
     cutoffs: Sequence[float | None],
     pixels: int,
     out: NDArray[np.float32] | None = None,
 ) -> Iterator[HeightMap]:
-    """Yield a master without the wavelengths beyond each cutoff (nm); None removes none.
+    """Yield a surface without the wavelengths beyond each cutoff (nm); None removes none.
 
     The side ``"short"`` removes shorter wavelengths, ``"long"`` longer ones. Each filtered surface
     overwrites `out` (pixels, pixels), if given. Raises ValueError if wavelengths need more pixels,
     or a cutoff is two pixels or less.
     """
-    order_limits = [None if cutoff is None else _order_limit(master, cutoff) for cutoff in cutoffs]
+    order_limits = [None if cutoff is None else _order_limit(surface, cutoff) for cutoff in cutoffs]
     highest_order = max((int(limit) for limit in order_limits if limit is not None), default=0)
-    unfiltered = master
+    unfiltered = surface
     if side == "short" and None not in cutoffs:
         _refuse_coarser(2 * highest_order + 2, pixels)
-    elif pixels != master.pixels:
-        unfiltered = interpolate(master, pixels)
-    unfiltered = replace(unfiltered, pixel_size=master.size / pixels)
-    scale = (pixels / master.pixels) ** 2
-    transform = (_transform_lowest_orders(master, highest_order) * scale).astype(np.complex64)
+    elif pixels != surface.pixels:
+        unfiltered = interpolate(surface, pixels)
+    unfiltered = replace(unfiltered, pixel_size=surface.size / pixels)
+    scale = (pixels / surface.pixels) ** 2
+    transform = (_transform_lowest_orders(surface, highest_order) * scale).astype(np.complex64)
     for limit in order_limits:
         if limit is None:
             yield unfiltered

@@ -34,7 +34,7 @@ class HeightMap:
     #: surfaces.tsv; empty for the only or the default one.
     dataset: str = ""
     channel: str = ""  #: Name of the channel that was read, whoever chose it.
-    file_unit: str = "nm"  #: Unit of length that the file, or its container, states.
+    file_unit: str = "nm"  #: Unit of length that the file, its container or the user states.
     tip_radius: float | None = None  #: In nm, if the file or its container states one.
     notes: tuple[str, ...] = ()  #: What was changed or chosen in reading, each in one line.
     undefined_count: int = 0  #: Number of kept pixels that were undefined before they were filled.
@@ -42,7 +42,7 @@ class HeightMap:
     defects: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
 
     def __repr__(self) -> str:
-        """Return pixels, their size and the rms height."""
+        """Return pixels, their size, the rms height and the source."""
         counts = " x ".join(map(str, reversed(self.heights.shape)))
         origin = f"periodic, {self.source}" if self.periodic else self.source
         return (
@@ -71,7 +71,7 @@ class HeightMap:
         return self.pixels * self.pixel_size
 
     def plot(self, axes: "Axes | None" = None) -> "Axes":
-        """Draw the heights in nm over positions in µm.
+        """Draw the heights of a map in nm over positions in µm.
 
         Parameters
         ----------

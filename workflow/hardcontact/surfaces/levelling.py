@@ -97,7 +97,7 @@ def remove_form(
     """Return a levelled scan; first the sphere that a map shows (radius in nm) is subtracted.
 
     The sphere's apex is put at the centre: elsewhere it would only add a plane, which levelling
-    removes. A line scan loses its mean line, whatever the levelling.
+    removes. A line scan loses only its mean line, whatever the other arguments.
     """
     if levelling not in LEVELLING_METHODS:
         raise ValueError(f"levelling: expected {', '.join(LEVELLING_METHODS)}, found {levelling}")
@@ -122,7 +122,7 @@ def level_and_mirror(
 ) -> tuple[xr.Dataset, xr.Dataset]:
     """Return a levelled map and its mirrored map as datasets, in float32.
 
-    The levelled scan of a sphere also has ``as_scanned``, the heights as read.
+    The levelled scan of a sphere also has ``as_scanned``, the heights before levelling.
     """
     refuse_line_scan(scan)
     flat = remove_form(scan, sphere_radius, levelling)
@@ -170,7 +170,7 @@ def fill_streaks(heights: Floats) -> tuple[Floats, Mask]:
 def _rise_and_fall(heights: Floats, width: int) -> tuple[Floats, Floats]:
     """Return how far pixels rise above, and fall below, both lines `width` lines away.
 
-    Heights are in typical steps. At the border there is only one line if the width is 1; other
+    Both results are in typical steps. At the border there is only one line if the width is 1; other
     widths have NaN there.
     """
     padded = np.pad(heights, ((width, width), (0, 0)), constant_values=np.nan)

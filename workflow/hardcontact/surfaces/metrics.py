@@ -7,7 +7,7 @@ import xarray as xr
 
 from hardcontact.surfaces.height_map import HeightMap
 
-#: Metrics of a height map with their units and long names, in the order of Table 1.
+#: Metrics of a height map with their units and long names; those of Table 1 are in its order.
 METRICS = {
     "rms_height": ("nm", "rms height"),
     "rms_gradient": ("1", "rms gradient (2D slope)"),

@@ -1,7 +1,6 @@
 """Spectra of substitutes from descriptions: segments of wavelengths, each with its model.
 
-Blank parameters are calibrated, so that scans of the spectrum have the rms height, slope and
-curvature of the paper's Table 1.
+Blank parameters are calibrated on the paper's Table 1 (`table1_calibration`).
 """
 
 from pathlib import Path
@@ -43,11 +42,8 @@ MAX_SAMPLES = 100
 
 def read_segments(path: str | Path) -> pd.DataFrame:
     """Read the segments of a description of a spectrum, without blanks around its cells."""
-    cells = pd.read_csv(path, dtype=str).apply(lambda column: column.str.strip())
-    segments: pd.DataFrame = cells.replace("", np.nan).astype(
-        dict.fromkeys(DESCRIPTION_NUMBERS, float)
-    )
-    return segments
+    cells: pd.DataFrame = pd.read_csv(path, dtype=str).apply(lambda column: column.str.strip())
+    return cells.replace("", np.nan).astype(dict.fromkeys(DESCRIPTION_NUMBERS, float))
 
 
 def needs_calibration(segments: pd.DataFrame) -> bool:
@@ -60,11 +56,12 @@ def spectrum_from_description(
 ) -> tuple[Floats, pd.DataFrame, list[str]]:
     """Return C_iso (nm⁴) on WAVEVECTORS, calibrated segments, and the rows of Table 1 they meet.
 
-    Segments go from long to short wavelengths. Raises ValueError if a calibration fails.
+    Given `segments` replace those of the file; both go from long to short wavelengths. Raises
+    ValueError if a calibration fails.
     """
     segments = read_segments(path) if segments is None else segments.copy()
     density = np.zeros_like(WAVEVECTORS)
-    calibrated = list[str]()
+    calibrated_rows = list[str]()
     for i, segment in segments.iterrows():
         try:
             if pd.isna(segment.hurst) and segment.model in CALIBRATION_ROWS:
@@ -73,7 +70,7 @@ def spectrum_from_description(
                 else:
                     parameters = calibrate_tail(density, *table1.loc[list(TAIL_ROWS), "value"])
                 segment = pd.Series(dict(segment) | parameters)
-                calibrated += CALIBRATION_ROWS[segment.model]
+                calibrated_rows += CALIBRATION_ROWS[segment.model]
             density += _segment_density(segment, density, Path(path).parent)
         except (KeyError, ValueError, OSError) as error:
             raise ValueError(f"{path}: segment from {segment.longest_nm:g} nm: {error}") from None
@@ -81,7 +78,7 @@ def spectrum_from_description(
     last_segment = segments.iloc[-1]
     if last_segment.model == "power law":
         density *= shares_of_longer_waves(last_segment.shortest_nm)
-    return density, segments, calibrated
+    return density, segments, calibrated_rows
 
 
 def _segment_density(segment: pd.Series, longer_waves: Floats, folder: Path) -> Floats:
@@ -151,10 +148,10 @@ def substitute_spectrum(
     Its attributes are the segments, the calibrated rows of Table 1, and expected rms values.
     """
     weights = paper_scan_weights(constants)
-    density, segments, calibrated = spectrum_from_description(description, table1, weights)
+    density, segments, calibrated_rows = spectrum_from_description(description, table1, weights)
     return spectrum_dataset(density).assign_attrs(
         source="substitute",
-        table1_rows_met=",".join(calibrated),
+        table1_rows_met=",".join(calibrated_rows),
         segments=segments.to_csv(index=False),
         expected_scan_rms=expected_scan_rms(Spectrum(WAVEVECTORS, density), weights),
     )

@@ -71,15 +71,15 @@ class Substitute:
             weights = scan_rms_weights(4 * grid.pixels, grid.pixel_size, grid.pixels)
             rms_values = expected_scan_rms(self.spectrum, weights)
         calibrated_rows = published.rows_met(self.spectrum_data.attrs["table1_rows_met"])
-        is_published = dict(zip(AFM_ROWS, (same_size, same_pixels, same_pixels), strict=True))
-        met_rows = [row for row in AFM_ROWS if is_published[row] and row in calibrated_rows]
+        holds_on_grid = dict(zip(AFM_ROWS, (same_size, same_pixels, same_pixels), strict=True))
+        met_rows = [row for row in AFM_ROWS if holds_on_grid[row] and row in calibrated_rows]
         for row in met_rows:
             rms_values[AFM_ROWS.index(row)] = self.table1.loc[row, "value"]
         height = self.table1.loc["afm_rms_height"]
         return Targets(
-            dict(zip(TABLE1_METRICS.values(), rms_values.tolist(), strict=True)),
-            float(rms_values[0] * height["uncertainty"] / height["value"]),
-            tuple(met_rows),
+            means=dict(zip(TABLE1_METRICS.values(), rms_values.tolist(), strict=True)),
+            rms_height_std=float(rms_values[0] * height["uncertainty"] / height["value"]),
+            met_rows=tuple(met_rows),
         )
 
 

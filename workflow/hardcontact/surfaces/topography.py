@@ -48,10 +48,11 @@ def topography_dataset(
     """Return the topography of all surfaces: every scan, averages, spectra and example maps.
 
     `scans` come from `measured_roughness`, by surface and number, `conditionings` from
-    `condition_batch`. `examples` are levelled scans; that of a rough sphere has `as_scanned`.
+    `condition_batch` or `make_featured_scans`. `examples` are levelled scans; that of a rough
+    sphere has `as_scanned`.
     """
-    surface_names = list(dict.fromkeys(surface_name for surface_name, _ in scans))
     scan_table = stack(scans, ["surface", "scan"])
+    surface_names = scan_table["surface"].values.tolist()
     table = xr.merge(
         [
             scan_table,
@@ -85,7 +86,7 @@ def _spectra(datasets: list[xr.Dataset], wavevector: Floats) -> xr.Dataset:
 
 
 def _maps(examples: list[xr.Dataset]) -> xr.Dataset:
-    """Return example maps, evenly thinned to the pixels of the coarsest map, with their sizes."""
+    """Return example maps, evenly thinned to the smallest number of pixels, with their sizes."""
     pixels = min(len(example["x"]) for example in examples)
 
     def thin(heights: xr.DataArray) -> np.ndarray:
