@@ -83,7 +83,7 @@ def test_the_example_scan_is_reproduced_by_its_code(tmp_path, monkeypatch):
     assert (scan.pixels, scan.size) == (256, pytest.approx(5000)) and 9 < scan.heights.std() < 11
 
 
-def test_other_objects_than_spectra_are_refused_in_one_line(files):
+def test_arguments_that_are_no_roughness_are_refused_in_one_line(files):
     scan = hc.read_scan("scan.nc")
     assert_says(refusal(hc.read_spectrum, ["scan.nc"]), "expected a path", "['scan.nc']")
     call = partial(hc.predict, rho=1, work=1, **SPHERE, **LOAD)
@@ -249,7 +249,7 @@ FAULTY = [
     (hc.pull_off_forces, {"scan": np.zeros((64, 64))}, ["scan: expected a scan of hc.read_scan"]),
     (hc.pull_off_forces, {"scan": hc.HeightMap(np.zeros((64, 64)), 3e7)},
      ["a pixel_size of 0.05 to 10000 nm, found 3e+07 nm: is the unit right?"]),
-    (hc.pull_off_forces, {"scan": hc.HeightMap(np.zeros((16, 32)), PIXEL, False, "measured")},
+    (hc.pull_off_forces, {"scan": hc.HeightMap(np.zeros((16, 32)), PIXEL)},
      ["scan: expected a square map", "16 x 32 pixels"]),
     (hc.pull_off_forces, {"sphere": "sphere.nc"}, ["sphere: expected a scan of hc.read_scan"]),
     (hc.pull_off_forces, {"preload": 9e-4, "hardness": 5e8}, ["at most", "found 900 µN"]),

@@ -42,7 +42,8 @@ from hardcontact.config.user_files import refuse_unreadable
     ],
 )
 def test_a_faulty_value_is_refused_with_its_key(key, value, message_parts):
-    assert_says(refusal(paper_configuration, key, value), "config key ", "expected", *message_parts)
+    message = refusal(paper_configuration, {key: value})
+    assert_says(message, "config key ", "expected", *message_parts)
 
 
 # Files

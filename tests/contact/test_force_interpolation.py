@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import xarray as xr
-from known_forces import RHOS, power_curves, power_forces
+from known_forces import RHOS, SLOPES, power_curves, power_forces
 from repository import PAPER
 
 from hardcontact.contact.force_interpolation import interpolate_forces, interpolate_to_ranges
@@ -14,16 +14,14 @@ def test_interpolation_between_ranges_follows_power_laws():
     forces_at_four = interpolate_forces(forces, 4.0)
     np.testing.assert_allclose(
         forces_at_four.isel(scan=0, sphere_scan=0, contact_y=0, contact_x=0) * 0.05,
-        power_curves(4.0, 1.0)[:, 4] * (4 / 5) ** np.array([2, 1.3, 0.7, 0.4]),
+        power_curves(4.0, 1.0)[:, RHOS == 5.0][:, 0] * (4 / 5) ** SLOPES,
     )
     assert interpolate_forces(forces, 0.49).isnull().all()
     fine = np.geomspace(0.5, 10, 33)
-    power_laws = power_curves()[:, :1] * (fine / 0.5) ** np.array([2, 1.3, 0.7, 0.4])[:, None]
+    power_laws = power_curves()[:, :1] * (fine / 0.5) ** SLOPES[:, None]
     np.testing.assert_allclose(interpolate_to_ranges(power_curves(), RHOS, fine), power_laws)
     two = interpolate_to_ranges(power_curves()[:, :2], RHOS[:2], np.array([0.7]))
-    np.testing.assert_allclose(
-        two[:, 0], power_curves()[:, 0] * 1.4 ** np.array([2, 1.3, 0.7, 0.4])
-    )
+    np.testing.assert_allclose(two[:, 0], power_curves()[:, 0] * (0.7 / 0.5) ** SLOPES)
 
 
 def sphere_on_steps(rhos):

@@ -26,7 +26,7 @@ Y, X = np.indices((PIXELS, PIXELS)) * PIXEL
 
 
 def count_patches(heights, contact=CONTACT):
-    scan = mirror_scan(HeightMap(heights, PIXEL, False, "measured"))
+    scan = mirror_scan(HeightMap(heights, PIXEL))
     bodies = join_bodies(scan, None, contact)
     return int(pull_off_dataset(bodies, contact, [5.6]).touched_patches)
 

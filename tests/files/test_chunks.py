@@ -17,9 +17,9 @@ SWEPT = {
 }
 
 
-def force_paths(*values):
+def force_paths(values=None):
     """Return the paths of forces on scans, pools, whole surfaces and masters."""
-    files = study_files(*values)
+    files = study_files(values)
     chunks = Chunks(files)
     patterns = files.patterns
     return [
@@ -34,14 +34,14 @@ def force_paths(*values):
 @pytest.mark.parametrize("key", SWEPT)
 def test_paths_of_forces_name_swept_values(key):
     value, name = SWEPT[key]
-    assert all(name in path for path in force_paths(key, value))
+    assert all(name in path for path in force_paths({key: value}))
     assert not any(name in path for path in force_paths())
 
 
 def test_paths_do_not_depend_on_the_units_of_a_value():
-    written_otherwise = [
-        *("sphere.radius", "0.25 mm", "contact.preload", "0.01 mN"),
-        *("contact.hardness", "25000 MPa", "adhesion.range", "0.0056 um"),
-    ]
-    assert force_paths(*written_otherwise) == force_paths()
+    written_otherwise = {
+        "sphere.radius": "0.25 mm", "contact.preload": "0.01 mN",
+        "contact.hardness": "25000 MPa", "adhesion.range": "0.0056 um",
+    }  # fmt: skip
+    assert force_paths(written_otherwise) == force_paths()
     assert study_contact(paper_configuration()).loading_name == "H25GPa-F10uN"

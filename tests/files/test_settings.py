@@ -22,7 +22,7 @@ def test_rules_of_intermediates_take_no_values_of_the_configuration_but_settings
 
 @pytest.mark.parametrize("kind", ["both_bodies", "hindcast", "octave_forces", "masters", "sampled"])
 def test_files_with_the_roughness_of_another_sphere_have_another_digest(project_folder, kind):
-    plan = study_files("published", "none", measured_surfaces=["uncd", "ruby"]).plan
+    plan = study_files({"published": "none"}, measured_surfaces=["uncd", "ruby"]).plan
     digests = set()
     for plan.selection.sphere_digest in ("first", "second"):
         digests.add(settings_digest(store_kinds(plan), kind))

@@ -15,10 +15,9 @@ from hardcontact.run import checks
 FILES_DIGEST = "0123abcd"
 
 
-def paper_configuration(*values):
-    """Return the paper's configuration in numbers with other values: key, value, key, value."""
-    pairs = zip(values[::2], values[1::2], strict=True)
-    return numeric_configuration(set_keys(PAPER, dict(pairs)))
+def paper_configuration(values=None):
+    """Return the paper's configuration in numbers, with other values of some keys."""
+    return numeric_configuration(set_keys(PAPER, values or {}))
 
 
 def read_surfaces(text, folder):
@@ -58,8 +57,8 @@ def tiny_files():
     return configured_files(merge_overlay(PAPER, yaml.safe_load((ROOT / TINY).read_text())))
 
 
-def study_files(*values, scans=(1, 2), measured_surfaces=()):
-    """Return the files of a study of these scans; keys and other values alternate.
+def study_files(values=None, scans=(1, 2), measured_surfaces=()):
+    """Return the files of a study of these scans, with other values of some keys.
 
     Surfaces that are measured have files.
     """
@@ -73,4 +72,4 @@ def study_files(*values, scans=(1, 2), measured_surfaces=()):
     ]
     sources = dict.fromkeys(rows.surface, FILES_DIGEST)
     selection = selected_surfaces.Selection(rows, "ruby", sources, surfaces_of_table1())
-    return SurfaceFiles(StudyPlan(paper_configuration(*values), selection))
+    return SurfaceFiles(StudyPlan(paper_configuration(values), selection))

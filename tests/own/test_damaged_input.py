@@ -67,7 +67,7 @@ def scans(folder):
 
 def read_scans(path):
     for dataset in list_scans(path):
-        read_scan(path, dataset, "harmonic")
+        read_scan(path, dataset, undefined_pixels="harmonic")
 
 
 def texts(folder):
@@ -99,7 +99,10 @@ def read_description(path):
 #: Kinds of input: a function that writes whole files, and a function that reads one.
 KINDS = {
     "scan": (scans, read_scans),
-    "text": (texts, lambda path: read_scan(path, "", "harmonic", "um,nm", 200.0)),
+    "text": (
+        texts,
+        lambda path: read_scan(path, undefined_pixels="harmonic", unit="um,nm", map_size=200.0),
+    ),
     "spectrum": (lambda _: {"a.csv": POWER.encode()}, lambda path: read_own_spectrum([path])),
     "forces": (
         lambda _: {"a.csv": b"surface,value,unit\na,1,uN\nb,2.5,nN\na,3,uN\n"},

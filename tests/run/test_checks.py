@@ -25,6 +25,7 @@ from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.surfaces.substitute_spectra import spectrum_from_description
 from hardcontact.surfaces.synthesis import random_surface
 
+#: A key, another value, and parts of the message.
 CONTRADICTIONS = [
     # Names
     ("effort", "quick", "the section quick has no keys", "config/quick.yaml"),
@@ -53,61 +54,51 @@ CONTRADICTIONS = [
 ]
 
 
-#: Keys with their values, and parts of the message, which names another key or one of them.
+#: Values of several keys, and parts of the message, which names one of the keys or another key.
 CONTRADICTING_VALUES = [
-    (("quick", {"seed": 1}, "study", "my-quick"), "config key study", "the end -quick", "my-quick"),
-    (("quick", {"seed": 1}, "store", "results/my-quick"), "config key store", "the end -quick"),
-    (
-        ("substitutes.pixels", 64, "contact.contacts_per_row", 129),
-        "contact.contacts_per_row",
-        "128",
-        "found 129",
-    ),
-    (
-        ("substitutes.pixels", 32, "sphere.radius", "2500 nm"),
-        *("adhesion.ranges", "at least 4.89 nm on", "two pixels", "found 0.05 nm"),
-    ),
-    (("contact.window", "10 nm"), "contact.preload", "4 pixels", "at most 596 nN", "10 µN"),
-    (
-        ("contact.contacts_per_row", 200, "contact.preload", "0.5 mN"),
-        *("contact.preload", "at most 160 µN", "found 500 µN"),
-    ),
-    (("band.long.tiles", 8), "sets.long.pixels", "8192", "found 4096"),
-    (
-        ("exponents.radii", ["30 nm", "250 um"], "adhesion.range", "1.4 nm"),
-        *("adhesion.range", "at least 1.59 nm on", "at R = 30 nm", "found 1.4 nm"),
-    ),
-]
+    ({"quick": {"seed": 1}, "study": "my-quick"}, "config key study", "the end -quick", "my-quick"),
+    ({"quick": {"seed": 1}, "store": "results/my-quick"}, "config key store", "the end -quick"),
+    ({"substitutes.pixels": 64, "contact.contacts_per_row": 129},
+     "contact.contacts_per_row", "128", "found 129"),
+    ({"substitutes.pixels": 32, "sphere.radius": "2500 nm"},
+     "adhesion.ranges", "at least 4.89 nm on", "two pixels", "found 0.05 nm"),
+    ({"contact.window": "10 nm"}, "contact.preload", "4 pixels", "at most 596 nN", "10 µN"),
+    ({"contact.contacts_per_row": 200, "contact.preload": "0.5 mN"},
+     "contact.preload", "at most 160 µN", "found 500 µN"),
+    ({"band.long.tiles": 8}, "sets.long.pixels", "8192", "found 4096"),
+    ({"exponents.radii": ["30 nm", "250 um"], "adhesion.range": "1.4 nm"},
+     "adhesion.range", "at least 1.59 nm on", "at R = 30 nm", "found 1.4 nm"),
+]  # fmt: skip
 
 
 @pytest.mark.parametrize(
     ("values", "message_parts"),
     [
-        *(((key, value), (key, *parts)) for key, value, *parts in CONTRADICTIONS),
+        *(({key: value}, (key, *parts)) for key, value, *parts in CONTRADICTIONS),
         *((values, parts) for values, *parts in CONTRADICTING_VALUES),
     ],
 )
 def test_keys_that_contradict_each_other_or_the_table_are_refused(
     tmp_path, project_folder, values, message_parts
 ):
-    message = refusal(lambda: check_configuration(paper_configuration(*values), tmp_path))
+    message = refusal(lambda: check_configuration(paper_configuration(values), tmp_path))
     assert_says(message, "config key", "expected", "found", *message_parts)
 
 
 def test_a_study_of_the_paper_needs_two_substrates(tmp_path, project_folder):
     header, *rows = ROWS.splitlines()
     text = "\n".join([header, *(row for row in rows if row.startswith(("uncd", "ruby")))])
-    names = ("indent.surface", "uncd", "substitutes.featured_surface", "none")
-    message = refusal(check_configuration, paper_configuration(*names), tmp_path, text)
+    config = paper_configuration({"indent.surface": "uncd", "substitutes.featured_surface": "none"})
+    message = refusal(check_configuration, config, tmp_path, text)
     assert_says(message, "config key surfaces", "two substrates", "found uncd")
 
 
 def test_values_at_their_limits_are_accepted(tmp_path, project_folder):
-    config = paper_configuration(
-        *("elastic.contacts", 401, "asperities.contacts", 401),  # all, if there are fewer
-        *("exponents.radii", ["50 nm"], "adhesion.range", "1 nm"),
-    )
-    check_configuration(config, tmp_path)
+    values = {
+        "elastic.contacts": 401, "asperities.contacts": 401,  # all, if there are fewer
+        "exponents.radii": ["50 nm"], "adhesion.range": "1 nm",
+    }  # fmt: skip
+    check_configuration(paper_configuration(values), tmp_path)
 
 
 def test_a_substrate_without_a_published_force_is_refused_beside_the_paper(
@@ -143,11 +134,8 @@ def test_unusable_scans_are_refused(tmp_path, project_folder):
         (undefined, "found 7", "scan.undefined_pixels"),
     ):
         text = table_of_own_scans(write_scan(tmp_path / "a.nc", values))
-        assert_says(
-            refusal(check_configuration, paper_configuration(), tmp_path, text),
-            "a.nc",
-            *message_parts,
-        )
+        message = refusal(check_configuration, paper_configuration(), tmp_path, text)
+        assert_says(message, "a.nc", *message_parts)
 
 
 def test_masters_under_a_rough_sphere_have_its_pixels(tmp_path, project_folder):
@@ -155,12 +143,15 @@ def test_masters_under_a_rough_sphere_have_its_pixels(tmp_path, project_folder):
     ball = write_scan(tmp_path / "ball.nc", random_heights(512, 512), (400.0, 400.0))
     rows = ROWS.partition("ruby\t")[0] + f"ruby\truby\t1\tmeasured\t{ball}\t\n"
     check_configuration(paper_configuration(), tmp_path, rows)
-    rough = paper_configuration("band.sphere_roughness", True)
+    rough = paper_configuration({"band.sphere_roughness": True})
     message = refusal(check_configuration, rough, tmp_path, rows)
     assert_says(message, "16384 pixels per row of the long-edge masters of ncd", "found 25600")
 
 
 # Scans that the study has stored
+
+
+Row = namedtuple("Row", "surface scan path dataset")
 
 
 def store(row, arguments, heights):
@@ -179,7 +170,7 @@ def store(row, arguments, heights):
 def test_a_file_is_read_only_if_the_study_has_not_stored_it_as_it_is(tmp_path, monkeypatch, change):
     monkeypatch.chdir(tmp_path)
     paths = {name: str(write_scan(tmp_path / f"{name}.nc")) for name in "ab"}
-    row = namedtuple("Row", "surface scan path dataset")("glass", 1, paths["a"], "")
+    row = Row("glass", 1, paths["a"], "")
     config = paper_configuration()
     stored_path = store(row, reading_keys(config) | {"dataset": ""}, np.zeros((16, 16)))
     if change == "file":
@@ -199,7 +190,7 @@ def test_a_file_is_read_only_if_the_study_has_not_stored_it_as_it_is(tmp_path, m
 def test_a_missing_file_is_refused_though_it_was_stored(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     path = write_scan(tmp_path / "a.nc")
-    row = namedtuple("Row", "surface scan path dataset")("glass", 1, str(path), "")
+    row = Row("glass", 1, str(path), "")
     store(row, reading_keys(paper_configuration()) | {"dataset": ""}, np.zeros((16, 16)))
     path.unlink()
     message = refusal(stored_scan, paper_configuration(), row)

@@ -81,7 +81,8 @@ SHORT_SLOPE = np.hypot(
     2 * np.pi * 2.5 / (5 * PIXEL) / np.sqrt(2) * np.sinc(1 / 5),
     np.diff(LONG_WAVES, axis=0).std() / PIXEL,
 )
-#: Heights, and the defects that they have with the numbers that they were made with.
+#: Heights, and the defects that they have with the numbers that they were made with, in the order
+#: of DEFECTS; None stands for a number that is not known.
 CASES = {
     "few spikes": (add_spikes(11, 10 / PIXELS**2), {"spikes": (10 / PIXELS**2, 12.0)}),
     "spikes": (add_spikes(12, 2e-3), {"spikes": (2e-3, 12.0)}),
@@ -158,7 +159,7 @@ def test_levelling_of_lines_fills_streaks(heights, largest_error):
 
 @pytest.mark.parametrize("batch", range(4))
 def test_no_self_affine_surface_has_a_defect(batch):
-    """Forty surfaces have H from 0.3 to 1 and roll-offs from a twentieth to twice the scan size."""
+    """Four batches of ten: H from 0.3 to 1, roll-offs from a twentieth to twice the scan size."""
     rng = generator(100 + batch)
     for _ in range(10):
         hurst, rolloff = rng.uniform(0.3, 1), 64 * PIXEL * np.exp(rng.uniform(*np.log([0.05, 2])))
@@ -168,7 +169,7 @@ def test_no_self_affine_surface_has_a_defect(batch):
 
 def with_bumps(seed):
     scan = measurement(rough(seed, 5.0), PIXEL)
-    bumps = Features(3.0, 35.0, 40.0, 1.0, (20,))
+    bumps = Features(number_density=3.0, height=35.0, width=40.0, base_factor=1.0, counts=(20,))
     return add_features(generator(seed), scan, bumps, 20).heights
 
 

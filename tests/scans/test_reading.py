@@ -66,7 +66,7 @@ def test_gaps_of_a_map_are_filled_harmonically(tmp_path, form):
     values[3, 4:9] = values[20:24, 20:24] = np.ma.masked
     file = write_and_list(MAPS[form], tmp_path / f"a.{form}", map_of(values))
     assert_says(refusal(read_scan, *file), "found 21", "scan.undefined_pixels: harmonic")
-    measurement = read_scan(*file, "harmonic")
+    measurement = read_scan(*file, undefined_pixels="harmonic")
     np.testing.assert_allclose(measurement.heights, plane.T, atol=1e-9)
     assert measurement.undefined_count == 21
     assert "21 undefined pixels of 1024 filled" in measurement.notes
@@ -76,13 +76,19 @@ def test_a_round_aperture_is_cropped_to_the_square_inside(tmp_path):
     y, x = np.indices((64, 64)) - 31.5
     heights = np.ma.masked_array(np.arange(64.0**2).reshape(64, 64), np.hypot(y, x) > 32)
     heights[30, 30] = np.ma.masked  # a gap inside is filled
-    measurement = read_scan(write_scan(tmp_path / "a.nc", heights, (640.0, 640.0)), "", "harmonic")
+    measurement = read_scan(
+        write_scan(tmp_path / "a.nc", heights, (640.0, 640.0)), undefined_pixels="harmonic"
+    )
     assert (measurement.pixels, measurement.undefined_count) == (45, 1)
     assert measurement.pixels == pytest.approx(64 / np.sqrt(2), abs=1)
     small = heights[22:42, 22:42]
     y, x = np.indices(small.shape) - 9.5
     path = write_scan(tmp_path / "small.nc", np.ma.masked_where(np.hypot(y, x) > 10, small))
-    assert_says(refusal(read_scan, path, "", "harmonic"), "expected 16 to 8192 pixels", "found 1")
+    assert_says(
+        refusal(read_scan, path, undefined_pixels="harmonic"),
+        "expected 16 to 8192 pixels",
+        "found 1",
+    )
 
 
 def test_a_unit_and_a_size_that_the_file_contradicts_are_not_used_in_silence(tmp_path):
@@ -112,7 +118,7 @@ def test_heights_under_a_mask_count_unless_it_is_excluded(tmp_path):
     unmasked = read_scan(path)
     np.testing.assert_allclose(unmasked.heights, values.T, atol=1e-12)
     assert_says(unmasked.notes[0], "take care", "marks 19 of 1024 pixels", "--mask exclude")
-    assert read_scan(path, "", "harmonic", mask="exclude").undefined_count == 19
+    assert read_scan(path, undefined_pixels="harmonic", mask="exclude").undefined_count == 19
 
 
 def test_only_gaps_in_the_square_are_filled_and_at_most_half_of_it(tmp_path):
@@ -121,7 +127,7 @@ def test_only_gaps_in_the_square_are_filled_and_at_most_half_of_it(tmp_path):
     assert read_scan(write_scan(tmp_path / "a.nc", values, (480.0, 320.0))).undefined_count == 0
     values[:25] = np.ma.masked
     path = write_scan(tmp_path / "a.nc", values, (480.0, 320.0))
-    message = refusal(read_scan, path, "", "harmonic")
+    message = refusal(read_scan, path, undefined_pixels="harmonic")
     assert_says(message, "a.nc", "at most 50%", "found 544 of 1024")
 
 
@@ -130,7 +136,7 @@ def test_pixels_that_are_not_square_are_resampled_to_the_larger_width(tmp_path):
     values = np.ma.masked_array(0.3 * x - 0.2 * y, False)  # linear: interpolation is exact
     values[20, 31] = np.ma.masked
     file = write_scan(tmp_path / "a.nc", values, (960.0, 640.0))  # 20 nm x 10 nm
-    measurement = read_scan(file, "", "harmonic")
+    measurement = read_scan(file, undefined_pixels="harmonic")
     assert measurement.pixel_size == pytest.approx(20.0) and measurement.undefined_count == 0
     heights_on_grid = (0.3 * x - 0.2 * y)[8:40, ::2].T
     np.testing.assert_allclose(measurement.heights, heights_on_grid, atol=1e-9)
@@ -169,7 +175,9 @@ def test_an_offset_is_subtracted_before_heights_are_judged(tmp_path):
     np.testing.assert_allclose(centred, values.T - values.mean(), atol=1e-6)
     assert measurement.notes == ("offset of 100 mm subtracted",)
     for lost in (1e14, np.inf):  # no digits of a height are left
-        message = refusal(read_scan, write_scan(tmp_path / "b.nc", values + lost), "", "harmonic")
+        message = refusal(
+            read_scan, write_scan(tmp_path / "b.nc", values + lost), undefined_pixels="harmonic"
+        )
         assert_says(message, "b.nc: expected")
 
 
@@ -191,7 +199,7 @@ def test_a_line_scan_is_read_and_its_gaps_are_filled_linearly(tmp_path, form):
     profile = UniformLineScan(values, 410.0, unit="nm")
     file = write_and_list(MAPS_AND_LINES[form], tmp_path / f"a.{form}", profile)
     assert_says(refusal(read_scan, *file), "found 4", "undefined_pixels")
-    measurement = read_scan(*file, "harmonic")
+    measurement = read_scan(*file, undefined_pixels="harmonic")
     assert (measurement.kind, measurement.file_unit) == ("line scan", "nm")
     assert measurement.undefined_count == 4
     assert measurement.pixel_size == pytest.approx(10.0)

@@ -11,14 +11,13 @@ from repository import PAPER
 from hardcontact.config.limits import random_surface_pixels
 from hardcontact.surfaces import conditioning
 from hardcontact.surfaces.levelling import level_plane
-from hardcontact.surfaces.metrics import metrics
+from hardcontact.surfaces.metrics import TABLE1_METRICS, metrics
 from hardcontact.surfaces.spectrum import spectrum_dataset
 from hardcontact.surfaces.substitutes import Substitute, Targets
 from hardcontact.surfaces.synthesis import ScanGrid
 from hardcontact.surfaces.table1_calibration import AFM_ROWS, expected_scan_rms, scan_rms_weights
 
-NAMES = ("rms_height", "rms_gradient", "rms_half_laplacian")
-GRID = ScanGrid(64, 64 * PIXEL, 256)
+GRID = ScanGrid(pixels=64, size=64 * PIXEL, surface_pixels=256)
 #: Rows of Table 1 of a surface, and the geometry of its scans, as in GRID.
 TABLE1 = pd.DataFrame(
     {"value": [20.0, 0.4, 0.05], "uncertainty": [5.0, 0.1, 0.01]}, index=list(AFM_ROWS)
@@ -28,6 +27,11 @@ CONSTANTS = pd.DataFrame({"value": {"scan_pixels": 64.0, "scan_size": 64 * PIXEL
 
 def substitute(spectrum, grid=GRID, table1=TABLE1):
     return Substitute("uncd", spectrum, table1, CONSTANTS, grid, 7)
+
+
+def make_targets(rms_values, height_std, rows=()):
+    """Return targets of the rms height, gradient and half-Laplacian of scans."""
+    return Targets(dict(zip(TABLE1_METRICS.values(), rms_values, strict=True)), height_std, rows)
 
 
 def assert_met(targets, scan_metrics):
@@ -59,17 +63,14 @@ def synthesized_metrics(source, batch):
 @pytest.mark.parametrize("numbers", [(1,), (1, 2), (6, 7, 8, 9, 10)])
 def test_conditioned_scans_have_the_given_statistics(spectrum, numbers):
     rms_values = spectrum.attrs["expected_scan_rms"] * np.array([1.02, 0.97, 1.01])
-    targets = Targets(dict(zip(NAMES, rms_values, strict=True)), 0.2 * rms_values[0], ())
+    targets = make_targets(rms_values, 0.2 * rms_values[0])
     batch = conditioning.condition_batch(substitute(spectrum), targets, numbers)
     assert_met(targets, synthesized_metrics(substitute(spectrum), batch))
 
 
-PAPER_GRID = ScanGrid(
-    PAPER["substitutes"]["pixels"], 2500.0, random_surface_pixels(PAPER["substitutes"]["pixels"])
-)
-
-
-COARSE_GRID = ScanGrid(128, 2500.0, 512)
+PAPER_PIXELS = PAPER["substitutes"]["pixels"]
+PAPER_GRID = ScanGrid(PAPER_PIXELS, 2500.0, random_surface_pixels(PAPER_PIXELS))
+COARSE_GRID = ScanGrid(pixels=128, size=2500.0, surface_pixels=512)
 
 
 @pytest.mark.parametrize(
@@ -120,7 +121,7 @@ def test_a_surface_without_published_roughness_is_not_conditioned(spectrum):
 
 
 def test_negative_heights_are_refused_in_one_line(spectrum):
-    targets = Targets(dict(zip(NAMES, (20.0, 0.4, 0.05), strict=True)), 40.0, ())
+    targets = make_targets((20.0, 0.4, 0.05), height_std=40.0)
     message = refusal(conditioning.condition_batch, substitute(spectrum), targets, range(1, 6))
     assert_says(
         message, "5 scans with the mean 20 nm and the standard deviation 40 nm", "expected", "found"
@@ -129,8 +130,7 @@ def test_negative_heights_are_refused_in_one_line(spectrum):
 
 def test_rows_of_table_1_beyond_a_smooth_gain_are_not_met(spectrum):
     height, slope, curvature = spectrum.attrs["expected_scan_rms"]
-    rows = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
-    targets = Targets(dict(zip(NAMES, (height, 0.05 * slope, curvature), strict=True)), 1.0, rows)
+    targets = make_targets((height, 0.05 * slope, curvature), 1.0, tuple(TABLE1_METRICS))
     batch = conditioning.condition_batch(substitute(spectrum), targets, [1, 2, 3])
     assert batch.attrs["table1_rows_met"] == "afm_rms_height,all_rms_slope"
     scan_metrics = synthesized_metrics(substitute(spectrum), batch)

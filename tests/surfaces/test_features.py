@@ -3,10 +3,9 @@
 from dataclasses import replace
 
 import numpy as np
-import pandas as pd
 import pytest
 from measurements import UNCD
-from paper_numbers import POLISHED
+from paper_numbers import POLISHED, table1_rows
 from periodic_maps import periodic_map
 
 from hardcontact.surfaces.features import (
@@ -46,7 +45,7 @@ def rms_of(features):
 
 @pytest.mark.parametrize("periodic", [False, True])
 def test_a_feature_is_a_gaussian_of_its_height_and_width(periodic):
-    features = Features(0.1, -20.0, 60.0, 1.0, (1,))
+    features = Features(number_density=0.1, height=-20.0, width=60.0, base_factor=1.0, counts=(1,))
     flat = replace(FLAT, periodic=periodic)
     heights = add_features(np.random.default_rng(4), flat, features, 1).heights
     centre = np.random.default_rng(4).uniform(0, SIZE, (2, 1, 1)).ravel()
@@ -61,7 +60,7 @@ def test_a_feature_is_a_gaussian_of_its_height_and_width(periodic):
 def test_mean_and_variance_of_squares_follow_campbells_theorem():
     """The variance of the mean square height has a term of pairs: twice the squared covariance."""
     density, width = 2.0, 120.0
-    features = Features(density, 30.0, width, 1.0, ())
+    features = Features(density, height=30.0, width=width, base_factor=1.0, counts=())
     rng = np.random.default_rng(1)
     flat = replace(periodic_map(np.zeros((50, 50)), SIZE / 50), periodic=False)
     mean_count = density * (SIZE / 1e3) ** 2
@@ -101,8 +100,7 @@ def test_deviations_are_in_standard_errors():
 
 
 def test_published_statistics_keep_the_relative_deviations_of_table_1():
-    table = pd.read_csv("resources/paper/table1.csv")
-    rows = table[table["surface"] == "polished_uncd"].set_index("quantity")
+    rows = table1_rows("polished_uncd")
     means = {"rms_height": 3.2, "rms_gradient": 0.04, "rms_half_laplacian": 1e-3}
     statistics = published_statistics(means, rows, 5)
     np.testing.assert_allclose(statistics.stds, [1.6, 0.01, 0.65e-3])

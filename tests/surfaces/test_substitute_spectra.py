@@ -1,5 +1,7 @@
 """Spectra of substitutes: descriptions, calibration to Table 1, expected rms values of scans."""
 
+from dataclasses import replace
+
 import numpy as np
 import pandas as pd
 import pytest
@@ -11,7 +13,7 @@ from scipy import stats
 from hardcontact.base.arrays import generator
 from hardcontact.surfaces import spectral_models, substitute_spectra, table1_calibration
 from hardcontact.surfaces.levelling import level_plane
-from hardcontact.surfaces.metrics import metrics
+from hardcontact.surfaces.metrics import TABLE1_METRICS, metrics
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_rms
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.surfaces.table1_calibration import expected_scan_rms, scan_rms_weights
@@ -26,7 +28,7 @@ def test_no_self_affine_spectrum_has_the_scans_of_ncd():
 
 @pytest.fixture
 def longer_waves():
-    """UNCD's spectrum on WAVEVECTORS down to 20 nm."""
+    """Return C_iso of UNCD on WAVEVECTORS, 0 at wavelengths below 20 nm."""
     return np.where(2 * np.pi / WAVEVECTORS > 20, UNCD.density, 0)
 
 
@@ -48,7 +50,7 @@ NO_TABLE1 = pd.DataFrame({"value": [], "uncertainty": []})
 
 @pytest.fixture
 def write_description(tmp_path):
-    """Write a description of these segments; its path."""
+    """Return a function that writes a description of some segments and returns its path."""
 
     def write(*segments):
         path = tmp_path / "surface.csv"
@@ -155,9 +157,6 @@ def test_rms_height_counts_only_waves_up_to_a_wavelength(write_description):
     )
 
 
-RMS_METRICS = ("rms_height", "rms_gradient", "rms_half_laplacian")
-
-
 def test_expected_rms_values_agree_with_scans():
     weights = table1_calibration.scan_rms_weights(1024, PIXEL, 256)
     rms_values = table1_calibration.expected_scan_rms(uncd_density, weights)
@@ -165,8 +164,8 @@ def test_expected_rms_values_agree_with_scans():
     for k in range(6):
         surface = random_surface(generator(4, k), 1024, PIXEL, uncd_density)
         for start in range(0, 1024, 256):
-            strip = type(surface)(surface.heights[start:], PIXEL, True, "substitute")
+            strip = replace(surface, heights=surface.heights[start:])
             values = metrics(level_plane(cut_scan(strip, 256)))
-            squares.append([values[name] ** 2 for name in RMS_METRICS])
+            squares.append([values[name] ** 2 for name in TABLE1_METRICS.values()])
     error = np.std(squares, axis=0) / np.sqrt(len(squares))
     assert (np.abs(np.mean(squares, axis=0) - rms_values**2) < 4 * error).all()

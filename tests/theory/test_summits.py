@@ -119,7 +119,7 @@ def test_a_sphere_follows_waves_flatter_than_itself():
 
 
 @pytest.mark.parametrize(("rms_height", "radius"), [(4.0, 50e3), (8.0, 20e3), (2.0, 100e3)])
-def test_the_highest_points_lie_within_the_search_size_of_the_apex(rms_height, radius):
+def test_the_search_size_is_twice_the_rms_distance_of_the_highest_points(rms_height, radius):
     pixels, pixel = 256, 40.0
     q = np.geomspace(2 * np.pi / (pixels * pixel), np.pi / pixel, 300)
     spectrum = Spectrum(q, smooth_rolloff(q, 1.0, 930.0, 0.84))
