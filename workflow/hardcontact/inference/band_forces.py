@@ -1,4 +1,4 @@
-"""The force with the roughness of a band alone, or without its shorter or its longer waves."""
+"""The force with the roughness of a band alone, or without all shorter or all longer waves."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -53,7 +53,11 @@ def band_force_dataset(
 
 
 def band_ratios(forces: xr.Dataset, scan_parts: ScanParts, confidence: float) -> xr.Dataset:
-    """Return ``band_force_ratio`` (band, band_part), from mean forces over contacts and maps."""
+    """Return ``band_force_ratio`` (band, band_part): the force on a part relative to all roughness.
+
+    `forces` is the `band_force_dataset` of several surfaces, numbered along ``map``. Forces are
+    means over contacts and surfaces.
+    """
     log_ratio, log_interval = log_force_ratio(
         forces["band_force"], forces["force"], scan_parts, confidence
     )

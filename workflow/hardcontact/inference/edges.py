@@ -1,10 +1,11 @@
 """The edges of the band: the cutoffs at which the change of the force exceeds a tolerance.
 
 A curve (..., cutoff_wavelength) is the change of the force with the cutoff: ln(ratio) for a single
-surface, the mean of |ratio - 1| for several. Its coordinate ``side`` is short if wavelengths below
-the cutoff are removed, long if those above it are. A curve is NaN at the cutoffs of the other side.
-A change between the lower and the upper of its `limits` does not count. Intervals come from
-`edges_of_masters`, if masters are independent, or from `edges_of_scans`, if they share few scans.
+surface, the mean of |ratio - 1| for several. The ratio is the force on filtered relative to
+unfiltered roughness. A curve's ``side`` is short if wavelengths below the cutoff are removed, long
+if those above it are. A curve is NaN at the cutoffs of the other side. A change between the
+lower and the upper of its `limits` does not count. Intervals come from `edges_of_masters`, if
+masters are independent, or from `edges_of_scans`, if masters share few scans.
 """
 
 from enum import StrEnum
@@ -17,9 +18,10 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.statistics import ENDS
 from hardcontact.base.units import NM
 
-#: The group of all surfaces.
+#: The label, along the dimension `group`, of the change averaged over all surfaces. The other
+#: groups are single surfaces.
 MEAN_GROUP = "mean"
-#: The dimension of a curve.
+#: The dimension of a curve: the cutoffs of both sides in nm.
 CUTOFF = "cutoff_wavelength"
 
 
@@ -45,26 +47,26 @@ def find_edges(
 
     A curve is linear in the logarithm of the cutoff, and zero at its spectrum end (nm), if known,
     because nothing is removed there. An edge is open if no value is outside the limits, or if the
-    first one is and the spectrum end is not known. It is then NaN, and lies beyond its bound.
+    first value is and the spectrum end is not known. It is then NaN, and lies beyond its bound;
+    otherwise the bound is NaN.
     """
     lower, upper = limits
     # Variables have no labels, because aligning labels would take most of the time.
     values: Any = curves.variable
     signed_cutoffs = _signed_cutoffs(curves)
-    crossing, last_inside = _first_and_before(signed_cutoffs, (values < lower) | (values > upper))
-    value, value_inside = (
-        values.where(signed_cutoffs == cutoff).max(CUTOFF) for cutoff in (crossing, last_inside)
-    )
+    is_outside = (values < lower) | (values > upper)
+    first_outside, last_inside = _first_and_last_before(signed_cutoffs, is_outside)
+    value_outside = values.where(signed_cutoffs == first_outside).max(CUTOFF)
+    value_inside = values.where(signed_cutoffs == last_inside).max(CUTOFF).fillna(0.0)
     cutoff_inside = abs(last_inside).fillna(xr.as_variable(spectrum_ends))
-    value_inside = value_inside.fillna(0.0)
-    share = (value.clip(lower, upper) - value_inside) / (value - value_inside)
-    edge = np.exp(np.log(cutoff_inside) + share * np.log(abs(crossing) / cutoff_inside))
+    share = (value_outside.clip(lower, upper) - value_inside) / (value_outside - value_inside)
+    edge = np.exp(np.log(cutoff_inside) + share * np.log(abs(first_outside) / cutoff_inside))
     is_open = edge.isnull()
-    bound = last_inside.fillna(crossing).where(is_open)
+    bound = last_inside.fillna(first_outside).where(is_open)
     is_short = bound > 0
-    # An edge before the first cutoff is shorter on the short side and longer on the long side. One
-    # after the last cutoff is the opposite.
-    is_open_below = crossing.notnull() == is_short
+    # An edge before the first cutoff is shorter on the short side and longer on the long side. An
+    # edge after the last cutoff is longer on the short side and shorter on the long side.
+    is_open_below = first_outside.notnull() == is_short
     open_status = np.where(is_open_below, EdgeStatus.OPEN_BELOW, EdgeStatus.OPEN_ABOVE)
     return xr.Dataset(
         {
@@ -77,14 +79,20 @@ def find_edges(
 
 
 def _signed_cutoffs(curves: xr.DataArray) -> Any:
-    """Return the cutoffs of curves, negative on the long side: they grow with what is removed."""
+    """Return the cutoffs of curves, negative on the long side, NaN where a curve is NaN.
+
+    The more roughness a filter removes, the larger is its signed cutoff on both sides.
+    """
     is_short = curves["side"].variable == "short"
     cutoffs: Any = curves[CUTOFF].variable * (2 * is_short - 1)
     return cutoffs.where(curves.variable.notnull()).transpose(*curves.dims)
 
 
-def _first_and_before(signed_cutoffs: Any, mask: Any) -> tuple[Any, Any]:
-    """Return the first signed cutoff (...) at which a mask is true, and the last before it."""
+def _first_and_last_before(signed_cutoffs: Any, mask: Any) -> tuple[Any, Any]:
+    """Return the first signed cutoff (...) at which a mask is true, and the last before it.
+
+    If the mask is nowhere true, the first is NaN, and the other the last of all.
+    """
     first = signed_cutoffs.where(mask).min(CUTOFF)
     return first, signed_cutoffs.where(~(signed_cutoffs >= first)).max(CUTOFF)
 
@@ -92,19 +100,20 @@ def _first_and_before(signed_cutoffs: Any, mask: Any) -> tuple[Any, Any]:
 def edge_intervals(
     curves: xr.DataArray, lowest: xr.DataArray, highest: xr.DataArray, limits: tuple[float, float]
 ) -> xr.Variable:
-    """Return the cutoffs (..., end) in nm between which edges lie, from intervals of curves.
+    """Return the cutoffs (..., end) in nm between which edges lie.
 
-    They are the last cutoff before an interval reaches beyond the limits, and the first cutoff with
-    an interval wholly outside. An end is NaN if it lies beyond the cutoffs. Both are NaN if the
-    first interval is wholly outside, or if intervals are missing.
+    Intervals of curves reach from `lowest` to `highest`. The ends are the last cutoff before an
+    interval reaches beyond the limits, and the first cutoff with an interval wholly outside. An end
+    is NaN if it lies beyond the cutoffs. Both are NaN if the first interval is wholly outside, or
+    if an interval is missing.
     """
     lower, upper = limits
     low, high = lowest.variable, highest.variable
     signed_cutoffs = _signed_cutoffs(curves)
     is_known = ((low.notnull() & high.notnull()) | signed_cutoffs.isnull()).all(CUTOFF)
     signed_cutoffs = signed_cutoffs.where(is_known)
-    _, surely_inside = _first_and_before(signed_cutoffs, (low < lower) | (high > upper))
-    surely_outside, before = _first_and_before(signed_cutoffs, (high < lower) | (low > upper))
+    _, surely_inside = _first_and_last_before(signed_cutoffs, (low < lower) | (high > upper))
+    surely_outside, before = _first_and_last_before(signed_cutoffs, (high < lower) | (low > upper))
     surely_outside = surely_outside.where(before.notnull())
     is_short = curves["side"].variable == "short"
     shorter = surely_inside.where(is_short, surely_outside)
@@ -123,7 +132,8 @@ def edges_of_ratios(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
     edges = find_edges(curves, limits)
     if "filtered_force_ratio_interval" in ratios:
         interval = ratios["filtered_force_ratio_interval"]
-        # If only some ratios lack an interval, all parts of scans have the same: zero width.
+        # If some ratios lack an interval and others do not, they are equal on all parts of scans:
+        # their intervals have zero width.
         interval = interval.fillna(ratio.where(interval.notnull().any([CUTOFF, "end"])))
         with np.errstate(divide="ignore"):  # the lower end of an interval without bounds is zero
             lowest, highest = (xr.ufuncs.log(interval.isel(end=end, drop=True)) for end in (0, 1))
@@ -135,8 +145,9 @@ def edges_of_ratios(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
 def find_ripples(curves: xr.DataArray, limits: tuple[float, float]) -> xr.DataArray:
     """Return whether ripples of the filter, not the roughness, change the force in curves.
 
-    Without its short waves a random surface has lower summits, so that the force rises. If it falls
-    first, the filter has made higher summits: ripples near steps. The curves are ln(ratio).
+    Without its short waves a random surface has lower summits, so that the force rises. If the
+    force falls before it rises, the filter has made higher summits: ripples near steps. The curves
+    are ln(ratio). The long side has no ripples.
     """
     lower, upper = limits
     falls_at = curves[CUTOFF].where(curves < lower).min(CUTOFF)
@@ -157,7 +168,7 @@ def computed_cutoffs(values: xr.DataArray) -> Floats:
 
 
 def last_cutoff(values: xr.DataArray, side: str) -> float:
-    """Return the cutoff (nm) of a side, "short" or "long", that removes most of the roughness."""
+    """Return the cutoff (nm) that removes most roughness; all values are of one side."""
     return float(computed_cutoffs(values)[-1 if side == "short" else 0])
 
 

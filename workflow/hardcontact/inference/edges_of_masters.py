@@ -1,8 +1,8 @@
 """Edges of the band of substitutes: edges.nc.
 
 Each master of a substitute has a scan of its own, so that samples of the mean over masters give the
-scatter of an edge. The user's masters share scans (`edges_of_scans`). The group `mean` of edges is
-the mean over coatings, because the paper has one band for all.
+scatter of an edge. The user's masters share scans (`edges_of_scans`). The group `mean` has the edge
+of the change averaged over coatings, because the paper has one band for all coatings.
 """
 
 from typing import Any
@@ -24,12 +24,13 @@ from hardcontact.inference.edges import (
 def edges_of_masters(
     forces: xr.Dataset, tolerance: float, sampling: Sampling
 ) -> tuple[xr.Dataset, xr.DataArray]:
-    """Return force ratios, changes of the force and edges (..., side, group), and sampled edges.
+    """Return ratios and changes of the force with their edges, and sampled edges.
 
-    `forces` has ``filtered_force_ratio`` (..., surface, realization, side, cutoff_wavelength), NaN
-    at cutoffs of the other side, and ``spectrum_end`` (surface, side) in nm. Sampled edges are
-    (1 + sample, ..., side, group). The first is the edge itself, NaN if it is open. In the others
-    the bound replaces an open edge.
+    Ratios are (..., side, surface, cutoff_wavelength), changes (..., side, group,
+    cutoff_wavelength), edges (..., side, group). `forces` has ``filtered_force_ratio`` (...,
+    surface, realization, side, cutoff_wavelength), with the number of a master as realization, and
+    ``spectrum_end`` (surface, side) in nm. Sampled edges are (1 + sample, ..., side, group). The
+    first is the edge itself, NaN if it is open. In the others the bound replaces an open edge.
     """
     # The word "scales" is a part of the seed: another word would give other samples.
     ratios = sampling.sample_means("scales", forces["filtered_force_ratio"], "realization")

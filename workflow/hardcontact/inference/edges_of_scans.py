@@ -11,7 +11,7 @@ import xarray as xr
 
 from hardcontact.base.statistics import as_variables, widen_interval
 from hardcontact.base.units import DIMENSIONLESS
-from hardcontact.inference.edges import edges_of_ratios, remove_rippled_edges
+from hardcontact.inference.edges import CUTOFF, edges_of_ratios, remove_rippled_edges
 from hardcontact.inference.mean_forces import (
     MasterForces,
     MasterScans,
@@ -28,10 +28,10 @@ def edges_of_scans(
     tolerance: float,
     confidence: float,
 ) -> xr.Dataset:
-    """Return the edges of the band of every surface, with intervals.
+    """Return the edges of the band of every surface and the force ratios, with intervals.
 
-    `forces` is filtered_forces.nc. The error of the hindcast, which is None if all surfaces are
-    substitutes, widens intervals.
+    `forces` is filtered_forces.nc. The hindcast is hindcast.nc, or None if all surfaces are
+    substitutes. Its error widens intervals, and its forces on filtered scans reveal ripples.
     """
     ratios = summarize_masters(
         forces, master_scans, lambda masters: _ratios_of_masters(masters, confidence)
@@ -53,19 +53,18 @@ def _ratios_of_masters(master_forces: MasterForces, confidence: float) -> xr.Dat
     half_width = half_width_over_masters(master_forces, truediv, "log_ratio_shift", confidence)
     ratio = master_forces.forces.filtered_force_ratio.mean("realization").values
     interval = logarithmic_interval(ratio, half_width)
-    axis = "cutoff_wavelength"
     return xr.Dataset(
-        as_variables("filtered_force_ratio", axis, ratio, interval, DIMENSIONLESS, confidence)
+        as_variables("filtered_force_ratio", CUTOFF, ratio, interval, DIMENSIONLESS, confidence)
         | {"interval_source": master_forces.scan_parts.interval_source},
-        {axis: master_forces.forces[axis].variable},
+        {CUTOFF: master_forces.forces[CUTOFF].variable},
     )
 
 
 def _widen_ratios(ratios: xr.Dataset, hindcast_ratio: xr.DataArray) -> xr.Dataset:
-    """Return ratios whose intervals contain the error of artificial roughness (surface, side).
+    """Return ratios whose intervals contain the error of artificial roughness.
 
-    The error of ln(ratio) is at most ln(ratio): where the filter changes nothing, there is no
-    error.
+    The error of ln(ratio) is |ln(hindcast_ratio)| (surface, side), but at most |ln(ratio)|: where
+    the filter changes nothing, there is no error.
     """
     log_error = abs(np.log(hindcast_ratio.reindex(surface=ratios["surface"]).fillna(1)))
     log_ratio = abs(np.log(ratios["filtered_force_ratio"]))

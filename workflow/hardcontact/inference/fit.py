@@ -39,7 +39,7 @@ def fit_work(mean_forces: Floats, measured_forces: Floats) -> tuple[Floats, Floa
     """Return the work of adhesion (..., rho) in J/m² with the smallest error, and this error.
 
     The mean relative error is piecewise linear in the work, so that at its minimum the force on one
-    surface matches exactly. The works at which each surface matches are compared.
+    surface matches exactly. So the works at which one of the forces matches are compared.
     """
     relative_forces = mean_forces / measured_forces[:, None]
     matching_works = 1 / relative_forces
@@ -58,7 +58,7 @@ def fine_ranges(ranges: Floats) -> Floats:
 
 
 def best_fit(mean_forces: Floats, measured_forces: Floats, ranges: Floats) -> dict[str, Floats]:
-    """Return the best pair and its error (...), by FIT_ATTRS; NaN if a computed force is NaN."""
+    """Return the variables of FIT_ATTRS (...); NaN if a computed force is NaN. Ranges are in nm."""
     works, errors = fit_work(mean_forces, measured_forces)
     work, error = minimum_along_axis(errors, works)
     is_known = np.isfinite(error)

@@ -15,8 +15,8 @@ from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.contact.force_interpolation import interpolate_forces
 from hardcontact.contact.pull_off import mean_over_contacts
 
-#: Statistics of the forces on one surface, with their attributes. The interval of the mean is
-#: Student's t over scans, those of the others come from the jackknife over scans.
+#: Statistics of the forces on one surface, with their attributes. The mean over scans has Student's
+#: interval. Single forces determine the other statistics, the jackknife over scans their intervals.
 STATISTIC_ATTRS = {
     "mean_force_at_pair": NEWTON, "median_force_at_pair": NEWTON,
     "log_force_std": DIMENSIONLESS, "lognormal_median": NEWTON,
@@ -37,7 +37,11 @@ def sample_mean_forces(forces: xr.DataArray, sampling: Sampling) -> Floats:
 def statistics_at_pair(
     forces: xr.DataArray, pair: tuple[float, float], reference_index: int, sampling: Sampling
 ) -> xr.Dataset:
-    """Return STATISTIC_ATTRS and ``ratio_at_pair`` (surface) of one contact model at one pair."""
+    """Return STATISTIC_ATTRS and ``ratio_at_pair`` (surface) of one contact model at one pair.
+
+    The pair is a range in nm and a work of adhesion in J/m². The ratio is the mean force relative
+    to that on the reference surface.
+    """
     rho, work = pair
     pair_forces = interpolate_forces(forces, rho) * work
     means = sample_mean_forces(pair_forces.expand_dims("rho"), sampling)[..., 0]
@@ -78,7 +82,7 @@ def force_statistics(forces: Floats, sampling: Sampling) -> tuple[Floats, Floats
 
 
 def _jackknife_statistics(forces: Floats) -> Floats:
-    """Return median, deviation of ln F and log-normal median (3,) of forces; NaN without forces."""
+    """Return STATISTIC_ATTRS without the mean (3,) for any forces; NaN without forces."""
     if not forces.size:
         return np.full(3, np.nan)
     logarithms = np.log(forces)

@@ -40,21 +40,22 @@ def filtered_pull_off(
 
     - ``unfiltered_pull_off_force`` (radius, loading, rho, contact_y, contact_x) in N at 1 J/m²;
     - ``pull_off_force`` (cutoff_wavelength, radius, ...), likewise on each filtered surface;
-    - ``spectrum_end`` (nm): the shortest wavelength of the master; the longest on the long side;
-    - ``touching_area`` (loading) of the touching pixels in nm²;
-    - ``contact_area`` (loading), a coordinate: preload over hardness in nm².
+    - ``spectrum_end`` in nm: the shortest wavelength of the unfiltered master; on the long side the
+      longest;
+    - ``touching_area`` (loading) of the touching pixels in nm², at least one pixel;
+    - ``contact_area`` (loading), a coordinate: preload over hardness in nm², 0 in rigid contact.
 
-    The contacts differ in their loading alone. Radius and range are those of the first contact,
-    unless `radii` and `ranges` are given.
+    The loaded contacts differ in their loading alone. Radius and range are those of the first
+    contact, unless `radii` and `ranges` are given.
     """
     side, pixels, cutoffs = filters
     first_contact = loaded_contacts[0]
     radii = radii or [first_contact.radius]
     ranges = ranges or [first_contact.rho]
-    contacts = [replace(first_contact, radius=radius) for radius in radii]
+    contacts_by_radius = [replace(first_contact, radius=radius) for radius in radii]
 
     def compute_forces(surface: HeightMap) -> np.ndarray:
-        all_bodies = (join_bodies(surface, sphere, contact) for contact in contacts)
+        all_bodies = (join_bodies(surface, sphere, contact) for contact in contacts_by_radius)
         forces = [forces_at_loadings(bodies, loaded_contacts, ranges) for bodies in all_bodies]
         return np.array(forces)
 
@@ -63,10 +64,10 @@ def filtered_pull_off(
     surface_forces = (compute_forces(surface) for surface in surfaces)
     unfiltered, *filtered = progress(surface_forces, 1 + len(cutoffs), "cutoffs")
     axes = ("radius", "loading", "rho", *CONTACT_AXES)
-    pixel_size = master.size / pixels
+    pixel_size = master.size / pixels  # of the filtered surfaces, on which contacts are computed
     spectrum_end = 2 * pixel_size if side == "short" else master.size
     touching_areas = [loaded.pixel_count(pixel_size) * pixel_size**2 for loaded in loaded_contacts]
-    areas = [loaded.area for loaded in loaded_contacts]
+    contact_areas = [loaded.area for loaded in loaded_contacts]
     return xr.Dataset(
         {
             "unfiltered_pull_off_force": (axes, unfiltered, FORCE_ATTRS),
@@ -80,7 +81,7 @@ def filtered_pull_off(
             "loading": [loaded.loading_name for loaded in loaded_contacts],
             "rho": ("rho", np.asarray(ranges, float), NM),
             **{axis: np.arange(first_contact.contacts_per_row) for axis in CONTACT_AXES},
-            "contact_area": ("loading", areas, {"units": "nm2"}),
+            "contact_area": ("loading", contact_areas, {"units": "nm2"}),
         },
         {"work_of_adhesion": WORK_OF_ADHESION},
     )
@@ -89,10 +90,10 @@ def filtered_pull_off(
 def read_master_forces(
     surfaces: Iterable[str], paths: Iterable[str], loading: str | None = None
 ) -> xr.Dataset:
-    """Read forces (surface, realization, side, ...) on masters, and add their ratios.
+    """Read the datasets of `filtered_pull_off` (surface, realization, side, ...); add force ratios.
 
-    Each path belongs to the surface at its position. With a `loading`, the result has no dimensions
-    of loading, radius and range, which are single.
+    Each path belongs to the surface at its position. With a `loading`, radius and range must have a
+    single value, and the result has no dimensions of loading, radius and range.
     """
     chunks = read_by_key([(name, number) for number, name in enumerate(surfaces)], paths)
     forces = stack(concatenate(chunks, "realization"), ["surface"])
@@ -106,19 +107,17 @@ def add_force_ratios(forces: xr.Dataset) -> xr.Dataset:
     """Return forces on masters, by growing cutoff, with the ratios of filtered to unfiltered means.
 
     ``filtered_force_ratio`` (..., cutoff_wavelength) divides means over the contacts of a master.
-    It is NaN at cutoffs of the other side.
+    It is NaN at cutoffs of the other side. ``spectrum_end`` loses the dimension of realizations.
     """
     forces = forces.sortby("cutoff_wavelength")
     filtered = forces["pull_off_force"].mean(CONTACT_AXES)
     unfiltered = forces["unfiltered_pull_off_force"].mean(CONTACT_AXES)
-    spectrum_end = forces["spectrum_end"]
-    # All realizations have the same end; it is NaN for those that a surface does not have.
-    realization_axes = [axis for axis in spectrum_end.dims if axis == "realization"]
     ratio = (filtered / unfiltered).drop_attrs(deep=False)  # Coordinates keep their units.
-    return forces.assign(
-        filtered_force_ratio=ratio.assign_attrs(DIMENSIONLESS),
-        spectrum_end=spectrum_end.max(realization_axes, keep_attrs=True),
-    )
+    # All realizations, if any, have the same end; it is NaN for those that a surface does not have.
+    realization_axes = [axis for axis in forces["spectrum_end"].dims if axis == "realization"]
+    spectrum_end = forces["spectrum_end"].max(realization_axes, keep_attrs=True)
+    ratio = ratio.assign_attrs(DIMENSIONLESS)
+    return forces.assign(filtered_force_ratio=ratio, spectrum_end=spectrum_end)
 
 
 def add_spectrum_shifts(forces: xr.Dataset, sampled_forces: xr.Dataset) -> xr.Dataset:

@@ -24,28 +24,28 @@ from hardcontact.inference.scan_parts import (
     quarters_of_contacts,
 )
 
-#: An interval that spans a wider factor to each side bounds nothing of use.
+#: Largest half width of a logarithm: an interval of a wider factor to each side is of no use.
 MAX_BOUNDED_HALF_WIDTH = float(np.log(1e3))
 #: Dimensions over which the forces of single contacts on one surface differ.
 SINGLE_CONTACT_AXES = ["scan", "sphere_scan", *CONTACT_AXES]
 
 
 class SurfaceForces(NamedTuple):
-    """Mean forces of one surface, over scans, scans of the sphere and contacts."""
+    """Mean forces of one surface in one contact model, over scans of both bodies and contacts."""
 
     ranges: Floats  #: (rho,) Ranges of adhesion in nm.
     mean: Floats  #: (rho,) Mean force in N, at the work of adhesion of the single forces.
     delete_one_log_means: Floats  #: (rho, part) Logarithms of the mean of all parts but one.
-    scan_parts: list[ScanParts]  #: (rho,) Parts correlate more at longer ranges.
+    scan_parts: list[ScanParts]  #: (rho,) The same parts; they correlate more at longer ranges.
     log_force_std: Floats  #: (rho,) Standard deviation of ln F over single contacts.
-    #: (rho,) Variance of ln F between positions on a rough sphere; None for a single position.
+    #: (rho,) Variance of ln(mean) at a new position on a rough sphere; None for a single position.
     position_variance: Variance | None
 
 
 def forces_of_surface(
     forces: xr.DataArray, scan_size: float, radius: float, touched_patches: float
 ) -> SurfaceForces:
-    """Return the mean forces of one surface and contact model, with and without each part.
+    """Return the mean forces of one surface and contact model.
 
     Forces (scan, sphere_scan, rho, contact_y, contact_x) are in N, NaN where a scan is missing. The
     size of a scan and the radius of the sphere are in nm; `touched_patches` comes from
@@ -84,7 +84,7 @@ def forces_by_surface(
 
 
 def _position_variance(forces: xr.DataArray) -> Variance | None:
-    """Return the variance (rho,) of ln F at a new position of the sphere; None for one position."""
+    """Return the `position_variance` of SurfaceForces: that of one position, and of their mean."""
     count = forces.sizes["sphere_scan"]
     if count < 2:
         return None
@@ -93,7 +93,7 @@ def _position_variance(forces: xr.DataArray) -> Variance | None:
 
 
 def position_half_width(surface_forces: SurfaceForces, confidence: float) -> Floats | None:
-    """Return the half width (rho,) of the interval of ln F for the position of the sphere."""
+    """Return the half width (rho,) of the interval of ln(mean) for the position of the sphere."""
     variance = surface_forces.position_variance
     return None if variance is None else interval_half_width([variance], confidence)
 
@@ -118,8 +118,8 @@ def mean_intervals(surface_forces: SurfaceForces, confidence: float) -> Floats:
 def logarithmic_interval(value: Floats, log_half_width: Floats) -> Floats:
     """Return the interval (..., 2) of a positive value from the half width of its logarithm.
 
-    An interval wider than MAX_BOUNDED_HALF_WIDTH becomes zero to infinity, which is no bound:
-    Student's t with one degree of freedom, from two realizations, can span any factor.
+    An interval with a half width above MAX_BOUNDED_HALF_WIDTH becomes zero to infinity, which is no
+    bound: Student's t with one degree of freedom, from two realizations, can span any factor.
     """
     finite = value[..., None] * np.exp(np.stack([-log_half_width, log_half_width], axis=-1))
     return np.where((log_half_width > MAX_BOUNDED_HALF_WIDTH)[..., None], [0.0, np.inf], finite)
@@ -188,13 +188,13 @@ def half_width_over_masters(
     The statistic (realization, ...) takes the mean forces with and without a filter. Three
     variances add: (1) the jackknife's over parts of scans; (2) if the parts are quarters, which
     share their realizations, that of the mean over realizations; (3) if spectra were sampled, the
-    mean square of the variable `shift_name`, because another spectrum moves all realizations at
-    once.
+    mean square of the variable `shift_name` (`forces_on_masters.add_spectrum_shifts`), because
+    another spectrum moves all realizations at once.
     """
     forces, scan_parts = master_forces
 
     def contact_statistic(kept_contacts: xr.DataArray) -> xr.DataArray:
-        """Return the statistic (realization, ...) over the kept contacts (realization, y, x)."""
+        """Return the statistic (realization, ...) over the kept contacts of each master."""
         filtered = forces.pull_off_force.where(kept_contacts).mean(CONTACT_AXES)
         unfiltered = forces.unfiltered_pull_off_force.where(kept_contacts).mean(CONTACT_AXES)
         return statistic(filtered, unfiltered).transpose("realization", ...)

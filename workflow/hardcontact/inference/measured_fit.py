@@ -3,7 +3,8 @@
 Forces are proportional to the work of adhesion. So at each range rho a measured force F and a
 computed force f, at 1 J/m², agree for the work W = F/f(rho). One surface gives a curve W(rho);
 several give a region, the pairs within the intervals of all. `published_fit` has an error threshold
-instead, because the paper prints no intervals.
+instead, because the paper prints no intervals. Along ``rho`` are the computed ranges, along
+``rho_fine`` interpolated ones, too.
 """
 
 from collections.abc import Mapping
@@ -65,8 +66,8 @@ def fit_measured(
     variables = sampling.sampled_variables("measured_force", "surface", measured_forces, NEWTON)
     variables["interval_source"] = ("surface", interval_sources)
     for name in ("force_count", "site_count", "look_repeated"):
-        counts = [int(getattr(summary, name)) for summary in summaries.values()]
-        variables[name] = ("surface", counts, DIMENSIONLESS)
+        numbers = [int(getattr(summary, name)) for summary in summaries.values()]
+        variables[name] = ("surface", numbers, DIMENSIONLESS)
     return (
         stack(fits, ["contact_model"])
         .assign(variables)
@@ -76,10 +77,10 @@ def fit_measured(
 
 
 def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampling) -> Floats:
-    """Return samples (sample, rho) of the mean forces of a surface.
+    """Return samples (sample, rho) of the mean forces of a surface in N at 1 J/m².
 
-    All ranges share random numbers. All surfaces share those of the position at which a rough
-    sphere touches, because the sphere is the same.
+    All ranges share random numbers. All surfaces share the random numbers of the position at which
+    a rough sphere touches, because the sphere is the same.
     """
     count = sampling.sample_count
     parts_at_ranges = zip(
@@ -120,7 +121,8 @@ def _fit_contact_model(
     ]
     measured_means, measured_samples = measured_forces[0], measured_forces[1:]
     sampled_works = measured_samples[:, :, None] / np.stack(sampled_forces, axis=1)
-    # Finer pixels lower the computed force, so that the work may be higher by this factor.
+    # Finer pixels lower the computed force, so that the work may be higher by this factor: the high
+    # end of each interval moves.
     pixel_widening = np.array([[[1.0, pixel_factors[name]]] for name in computed_forces])
     # All intervals of n independent surfaces contain the true pair with the confidence c if each
     # has the confidence c^(1/n).
@@ -148,30 +150,32 @@ def _fit_contact_model(
 def _work_intervals(
     sampled_works: Floats, computed_ranges: Floats, ranges: Floats, confidence: float
 ) -> Floats:
-    """Return the central intervals (surface, range, 2) of sampled works (sample, surface, rho)."""
+    """Return the central intervals (surface, rho_fine, 2) of works (sample, surface, rho)."""
     ends = np.moveaxis(percentile_interval(sampled_works, confidence), -1, 0)
     return np.moveaxis(interpolate_to_ranges(ends, computed_ranges, ranges), 0, -1)
 
 
 def _common_region(intervals: Floats) -> Floats:
-    """Return the works (range, 2) in all intervals (surface, range, 2), or NaN."""
+    """Return the works (rho_fine, 2) in all intervals (surface, rho_fine, 2), or NaN."""
     region = np.stack([intervals[..., 0].max(axis=0), intervals[..., 1].min(axis=0)], axis=-1)
     is_empty = ~(region[:, 0] < region[:, 1])
     return np.where(is_empty[:, None], np.nan, region)
 
 
 def _best_pair(force_curves: Floats, measured_forces: Floats, ranges: Floats) -> dict[str, Any]:
-    """Return the `best_fit` of mean forces (surface, range), and how many pairs fit exactly.
+    """Return the `best_fit` of mean forces (surface, rho_fine), and how many pairs fit exactly.
 
-    One surface has no best range: all are NaN. Two unknowns may fit the forces on two surfaces
-    exactly; ``best_error`` is then NaN, because the remaining error comes from the grid of ranges.
+    One surface has no best range, so that the best fit is NaN. Two unknowns may fit the forces on
+    two surfaces exactly; ``best_error`` is then NaN, because the remaining error comes from the
+    grid of ranges.
     """
     fit = best_fit(force_curves, measured_forces, ranges)
     exact_pairs = 0
     if len(force_curves) == 1:
-        fit = dict.fromkeys(fit, np.array(np.nan))
+        fit = {name: np.array(np.nan) for name in fit}
     if len(force_curves) == 2:
         first_work, second_work = measured_forces[:, None] / force_curves
+        # A pair fits exactly where the curves of work cross.
         exact_pairs = int(np.count_nonzero(np.diff(second_work > first_work)))
     if exact_pairs:
         fit["best_error"] = np.array(np.nan)
@@ -180,7 +184,7 @@ def _best_pair(force_curves: Floats, measured_forces: Floats, ranges: Floats) ->
 
 
 def _region_extent(region: Floats, ranges: Floats) -> dict[str, Any]:
-    """Return the lowest and the highest range and work of adhesion in a region (rho, end).
+    """Return the lowest and the highest range and work of adhesion in a region (rho_fine, 2).
 
     A region that reaches the shortest or longest computed range may extend beyond: its range is NaN
     at this end, and its work at both.

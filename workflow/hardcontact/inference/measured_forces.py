@@ -19,7 +19,7 @@ class ForceSummary(NamedTuple):
     """Mean and scatter of the forces measured on one surface, log-normal between sites."""
 
     mean: float  #: Mean over sites in N.
-    log_std: float  #: Standard deviation between sites of the logarithm; NaN for a single site.
+    log_std: float  #: Standard deviation of ln F between sites; NaN for a single site.
     site_count: int  #: Number of sites, each an independent sample.
     force_count: int  #: Number of forces.
     look_repeated: bool = False  #: Whether forces without sites look as if several share a site.
@@ -28,18 +28,20 @@ class ForceSummary(NamedTuple):
 def summarize_forces(forces: pd.DataFrame) -> ForceSummary:
     """Return mean and scatter of one surface's rows of the table of measured forces.
 
-    Forces at one site are one sample, their mean; a force without a site has its own.
+    Forces at one site are one sample, their mean; a force without a site has its own. A single row
+    with mean and median of many forces does not tell their sites, so each force counts as a site.
     """
-    count = int(forces["count"].sum())
+    force_count = int(forces["count"].sum())
     if len(forces) == 1:
         mean, median = float(forces["mean"].iloc[0]), forces["median"].iloc[0]
-        log_std = float(log_std_of_lognormal(mean, median)) if count > 1 else np.nan
-        return ForceSummary(mean, log_std, count, count)
+        log_std = float(log_std_of_lognormal(mean, median)) if force_count > 1 else np.nan
+        return ForceSummary(mean, log_std, site_count=force_count, force_count=force_count)
     has_site = forces["site"] != ""
     sites = forces["site"].where(has_site, forces.index)
     means = forces["mean"].groupby(sites, sort=False).mean()
     log_std = float(np.log(means).std(ddof=1))
-    return ForceSummary(float(means.mean()), log_std, len(means), count, look_repeated(forces))
+    mean, site_count = float(means.mean()), len(means)
+    return ForceSummary(mean, log_std, site_count, force_count, look_repeated(forces))
 
 
 def look_repeated(forces: pd.DataFrame) -> bool:
@@ -56,7 +58,7 @@ def look_repeated(forces: pd.DataFrame) -> bool:
         return True
     lags = np.arange(1, len(logs) // 2 + 1)
     ratios = [np.mean((logs[lag:] - logs[:-lag]) ** 2) / (2 * logs.var(ddof=1)) for lag in lags]
-    # Standard deviations of von Neumann's ratio, and a chance that all lags share.
+    # For independent forces the ratio scatters about 1 by 1/sqrt(n - lag). The lags share a chance.
     quantile = NormalDist().inv_cdf(REPEATED_BY_CHANCE / len(lags))
     return bool((ratios < 1 + quantile / np.sqrt(len(logs) - lags)).any())
 

@@ -39,7 +39,7 @@ NAMED_OCTAVE_COUNT = 3
 
 
 def octave_limits(shortest: float, longest: float) -> Floats:
-    """Return the OCTAVE_LIMITS above one wavelength and up to another."""
+    """Return the OCTAVE_LIMITS above the shortest wavelength (nm) and up to the longest."""
     return OCTAVE_LIMITS[(OCTAVE_LIMITS > shortest) & (OCTAVE_LIMITS <= longest)]
 
 
@@ -55,7 +55,8 @@ def octave_force_dataset(
 ) -> xr.Dataset:
     """Return ``octave_force`` with one octave multiplied by each of AMPLITUDE_FACTORS.
 
-    The forces (octave, factor, contact_y, contact_x) are in N at 1 J/m².
+    The forces (octave, factor, contact_y, contact_x) are in N at 1 J/m². The coordinate ``octave``
+    is the shortest wavelength of an octave in nm.
     """
     changed_surface = replace(surface, heights=np.empty_like(surface.heights))
 
@@ -77,6 +78,7 @@ def octave_force_dataset(
 
 def whole_surface_forces(surface: HeightMap, contact: Contact, ranges: list[float]) -> xr.Dataset:
     """Return `octave_force_dataset` of a surface, and its mean ``pull_off_force`` at all ranges."""
+    # The octave that holds the longest wave, the size of the surface, ends within twice the size.
     limits = octave_limits(2 * surface.pixel_size, 2 * surface.size)
     pull_off = pull_off_dataset(join_bodies(surface, None, contact), contact, ranges)
     mean_force = pull_off["pull_off_force"].mean(CONTACT_AXES, keep_attrs=True)
@@ -104,7 +106,8 @@ def octave_sensitivities(
 ) -> xr.Dataset:
     """Return ``octave_sensitivity`` (octave): a central difference of logarithms of mean forces.
 
-    ``octave_force`` comes from `octave_force_dataset`, on several maps.
+    `forces` joins results of `octave_force_dataset` along ``map``, which numbers whole surfaces or
+    scans. Their width, the attribute ``map_size`` in nm, becomes a variable.
     """
     octave_force = forces["octave_force"]
     weak, strong = (octave_force.sel(factor=factor, drop=True) for factor in AMPLITUDE_FACTORS)

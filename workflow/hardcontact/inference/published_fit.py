@@ -40,7 +40,7 @@ MAPPED_WORKS = np.geomspace(1e-3, 10.0, 501)
 #: Largest number of local minima of the error.
 MAX_MINIMA = 3
 
-#: Fitted variables, with their units.
+#: Variables of the best fit, and the range that fits the ratios of forces best.
 FITTED_ATTRS = FIT_ATTRS | {"range_from_ratios": NM}
 
 #: Fitted variables with samples, by the end of the samples' name ``sampled_...``.
@@ -65,9 +65,9 @@ class PublishedForces(NamedTuple):
 def fit_published(
     adhesion: xr.Dataset, published: PublishedForces, reference_surface: str, sampling: Sampling
 ) -> xr.Dataset:
-    """Return the fit of range and work for every contact model, and the resulting forces.
+    """Return the fit of range and work for every contact model, with statistics at both PAIRS.
 
-    Forces of adhesion.nc are at 1 J/m². ``model_error_ratio`` is the smallest error of rigid
+    `adhesion` is adhesion.nc. ``model_error_ratio`` is the smallest error of rigid
     contact relative to plastic contact.
     """
     surfaces = adhesion.surface.values.tolist()
@@ -111,10 +111,10 @@ def fit_contact_model(
     threshold: float,
     sampling: Sampling,
 ) -> xr.Dataset:
-    """Return the fit of range and work for one contact model, with error map and force curves.
+    """Return the fit of range and work for one contact model, its errors, and the mean forces.
 
-    Forces (surface, scan, sphere_scan, rho, contact_y, contact_x) are in N at 1 J/m², NaN for a
-    missing scan.
+    Mean forces are (surface, rho), errors at the interpolated ranges ``rho_fine``. Forces (surface,
+    scan, sphere_scan, rho, contact_y, contact_x) are in N at 1 J/m², NaN for a missing scan.
     """
     ranges = fine_ranges(forces.rho.values)
     means = sample_mean_forces(forces, sampling)
@@ -148,9 +148,9 @@ def _fitted_variables(
     reference_index: int,
     sampling: Sampling,
 ) -> dict[str, Any]:
-    """Return the best pair with intervals (FITTED_ATTRS), its samples, and ``ratio_error``.
+    """Return FITTED_ATTRS with intervals and samples, and ``ratio_error`` (rho_fine).
 
-    Force curves (1 + sample, surface, rho) are the mean forces, then samples of them.
+    Force curves (1 + sample, surface, rho_fine) are the mean forces, then samples of them.
     """
     fits = best_fit(force_curves, published_forces, ranges)
     errors = ratio_errors(force_curves, published_forces, reference_index)
@@ -167,9 +167,9 @@ def _fitted_variables(
 def _fits_without_surface(
     force_curves: Floats, published_forces: Floats, ranges: Floats
 ) -> dict[str, Any]:
-    """Return the best pairs (left_out,) without each surface, by WITHOUT_SURFACE.
+    """Return the best pairs (left_out,) without each surface, under the names of WITHOUT_SURFACE.
 
-    The force curves are (surface, rho).
+    The force curves are (surface, rho_fine).
     """
     are_kept = ~np.eye(len(published_forces), dtype=bool)
     fits = [best_fit(force_curves[kept], published_forces[kept], ranges) for kept in are_kept]

@@ -1,9 +1,10 @@
-"""Parts of a few scans: the jackknife over the parts gives the interval of a mean force.
+"""Parts of scans: the jackknife over the parts gives the interval of a mean force.
 
 If a surface has three scans or more, the parts are the scans. Otherwise they are the quarters of
 each scan, by which the contacts are grouped. Quarters are correlated, because the same summits
 attract contacts of several quarters, and the variance is corrected for that. If contacts touch
-fewer patches than there are quarters, some quarters share a patch, and there is no interval.
+fewer patches (`contact.patches`) than there are quarters, some quarters share a patch, and there is
+no interval. A map, along the dimension ``map``, is a mirrored scan, a master or a whole surface.
 """
 
 from collections.abc import Callable, Sequence
@@ -31,7 +32,7 @@ class IntervalSource(StrEnum):
     """The origin of the interval of a mean, or why it is missing: `interval_source` of files."""
 
     SCANS, QUARTERS = "scans", "quarters"
-    #: No interval, because there is a single part.
+    #: No interval, because there is a single part, or all parts count as one (SAME_CORRELATION).
     ONE_PART = "none"
     #: No interval, because contacts touch too few patches.
     FEW_PATCHES = "few_patches"
@@ -87,7 +88,7 @@ class ScanParts:
 
         A mean correlation c of n parts lowers the jackknife variance by the factor 1 - c, but
         raises the variance of their mean by 1 + (n - 1) c. The degrees of freedom are
-        Satterthwaite's for the correlation matrix without its row means. NaN without an interval.
+        Satterthwaite's for the correlation matrix minus its column means. NaN without an interval.
         """
         if self.interval_source not in (IntervalSource.SCANS, IntervalSource.QUARTERS):
             return np.nan, np.nan
@@ -101,18 +102,18 @@ class ScanParts:
 def fewest_touched_patches(adhesion: xr.Dataset) -> dict[str, float]:
     """Return the smallest number of patches that the contacts on a scan touch, by surface.
 
-    The scan of the sphere that touches most patches counts.
+    Of the scans of the sphere, that which touches most patches of a scan counts.
     """
     patches = adhesion.touched_patches.max("sphere_scan").min("scan")
     return {str(name): float(patches.sel(surface=name)) for name in patches.surface.values}
 
 
 def quarters_of_contacts(contacts_per_row: int, tiles: int) -> NDArray[np.int_]:
-    """Return the quarter, 0 to 3, of the scan that holds each contact of a square array.
+    """Return the quarter (contact_y, contact_x), 0 to 3, of the scan that holds each contact.
 
     The map is the mirrored scan, repeated `tiles` times along each axis.
     """
-    # Positions in widths of the scan.
+    # Positions of `contact_positions` in widths of the scan; the second width is its mirror image.
     unfolded = 2 * tiles * (np.arange(contacts_per_row) + 0.25) / contacts_per_row % 2
     is_second_half = (np.minimum(unfolded, 2 - unfolded) >= 0.5).astype(int)
     return np.asarray(2 * is_second_half[:, None] + is_second_half)
@@ -128,8 +129,8 @@ def parts_of_scans(
     """Return the parts of the scans of a surface: scans if there are three, otherwise quarters.
 
     `scan_of_map` (map,) numbers the scan of each map, `quarters` come from `quarters_of_contacts`.
-    Around a contact, the surface attracts with a Gaussian weight (Eq. 3 of the paper), whose
-    `weight_deviation` is sqrt(R rho).
+    `size` is the width of a scan in nm. Around a contact, the surface attracts with a Gaussian
+    weight (Eq. 3 of the paper), whose `weight_deviation` is sqrt(R rho) in nm.
     """
     scans, scan = np.unique(scan_of_map, return_inverse=True)
     if len(scans) >= ENOUGH_SCANS:
@@ -145,7 +146,7 @@ def parts_of_scans(
 def parts_of_maps(
     forces: xr.Dataset, radius: float, rho: float, touched_patches: float = np.inf
 ) -> ScanParts:
-    """Return the parts of maps of different scans by their forces (map, contact_y, contact_x)."""
+    """Return the parts of maps, each of another scan or surface; forces have ``map_size`` in nm."""
     quarters = quarters_of_contacts(forces.sizes["contact_y"], 1)
     size = float(forces.attrs["map_size"])
     maps = np.arange(forces.sizes["map"])
@@ -153,14 +154,14 @@ def parts_of_maps(
 
 
 def _correlation_of_quarters(size: float, weight_deviation: float) -> Floats:
-    """Return the correlation (4, 4) of mean forces of the quarters of a mirrored scan.
+    """Return the correlation (4, 4) of the mean forces on the quarters of a scan of a size in nm.
 
     Along one axis, the surface attracts the contacts of one half with a weight: a step, 1 on this
     half and 0 on the other, smoothed by a Gaussian. If roughness is uncorrelated, the covariance of
     two halves is the mean product of their weights. It follows from the Fourier coefficients of the
     steps: 1/2, and ±2/(k pi) at odd orders k.
     """
-    order = np.arange(1, 2000, 2)
+    order = np.arange(1, 2000, 2)  # the sum over higher orders is below 1e-4
     decay = np.exp(-((np.pi * order * weight_deviation / size) ** 2))
     step = 2 / (np.pi * order) ** 2 * decay
     covariance_ratio = (0.25 - step.sum()) / (0.25 + step.sum())

@@ -16,7 +16,8 @@ def contact_inputs(configuration: Mapping[str, Any]) -> dict[str, str]:
     """Return the inputs of the contacts of a study, in words, by their names on pages."""
     words = contact_words(configuration)
     # The work of adhesion is no input, because it is fitted to the published forces.
-    del words[CONTACT_QUANTITIES["work"][1]]
+    _, name_of_work = CONTACT_QUANTITIES["work"]
+    del words[name_of_work]
     sphere = "rough" if configuration["band"]["sphere_roughness"] else "smooth"
     return words | {SPHERE_AT_CUTOFFS: sphere}
 
@@ -24,7 +25,11 @@ def contact_inputs(configuration: Mapping[str, Any]) -> dict[str, str]:
 def changed_inputs(
     contact: Mapping[str, str], substrates: Sequence[str], table1: pd.DataFrame
 ) -> list[dict[str, str]]:
-    """Return the inputs of contacts, and the coatings, that differ from the paper's."""
+    """Return the inputs of contacts, and the coatings, that differ from the paper's.
+
+    `contact` comes from `contact_inputs`; `substrates` are the coatings of the study.
+    """
+    # The inputs of the paper are the defaults of a study.
     paper_inputs = contact_inputs(Study().model_dump(warnings=False))
     paper_inputs["coatings"] = _join_surfaces(table1["surface"])
     inputs = {**contact, "coatings": _join_surfaces(substrates)}

@@ -99,9 +99,10 @@ def apply_classical_models(
 def _effective_works(
     forces: Mapping[str, Floats], radius: float, tabor_parameter: float
 ) -> dict[str, Floats]:
-    """Return the effective works of adhesion by source of the forces, with their interval ends.
+    """Return the effective works of adhesion (surface, 3) by source of the forces.
 
-    The Tabor parameter is the printed one; the computed one differs (departures.md, 5).
+    Forces and works are values, low and high ends of intervals. The Tabor parameter is the printed
+    one; the computed one differs (departures.md, 5).
     """
     maugis = hertz_jkr_dmt.maugis_parameter(tabor_parameter)
     coefficient = hertz_jkr_dmt.pull_off_coefficient(maugis)
@@ -112,9 +113,9 @@ def _effective_works(
 
 
 def _sample_roughness(rows: pd.DataFrame, metrics: str, sampling: Sampling) -> Roughness:
-    """Return a roughness (1 + sample, surface): the values of Table 1, then samples within their ±.
+    """Return a roughness (1 + sample, surface): the values of Table 1, then samples of them.
 
-    Samples are normal, truncated at zero.
+    Samples are normal with the printed ± as standard deviation, truncated at zero.
     """
     from scipy.stats import truncnorm
 
@@ -130,7 +131,7 @@ def _sample_roughness(rows: pd.DataFrame, metrics: str, sampling: Sampling) -> R
 
 
 def _smooth_contact(sphere: ElasticSphere, work: float, preload: float) -> xr.Dataset:
-    """Return Tabor parameter and Hertz pressure of the sphere, if it is smooth."""
+    """Return Tabor parameter and Hertz peak pressure of a smooth sphere on a plane."""
     hertz = hertz_jkr_dmt.hertz_contact(preload, sphere.radius, sphere.modulus)
     tabor = hertz_jkr_dmt.tabor_parameter(work, sphere.radius, sphere.modulus, sphere.spacing)
     return xr.Dataset(
@@ -225,7 +226,10 @@ def classical_error(
 
 
 def power_law_error(parameter: Floats, effective_works: Floats) -> Floats:
-    """Return the error (...) of the best power law of a parameter for works (surface,)."""
+    """Return the error (...) of the best power law of a parameter (..., surface) for works.
+
+    The error is the mean over surfaces of |prediction/work - 1|.
+    """
     logarithm = np.log(parameter / parameter.mean(axis=-1, keepdims=True))[..., None]
 
     def error_at(exponents: Floats) -> Floats:

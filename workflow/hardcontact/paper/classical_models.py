@@ -148,7 +148,8 @@ def _log_largest_tension(tension: Tension, spread: float) -> float:
     The standard deviation `spread` of asperity heights is in the unit of the compression.
     """
     lowest, highest = -3 / spread - 12, 10 + 6 * spread
-    # From this separation on the asperities pull more than they push.
+    # From this separation on the asperities pull more than they push. The limits contain it for all
+    # adhesion indices of the table.
     balance = brentq(
         lambda separation: _mean_tension(tension, spread, separation)[0], lowest, highest
     )
@@ -197,7 +198,10 @@ def _force_spline(tension: Tension, factor: float) -> CubicSpline:
 
 
 def _relative_pull_off(tension: Tension, factor: float, index: Values) -> Values:
-    """Return the pull-off force of asperities relative to as many asperities of equal height."""
+    """Return the pull-off force of asperities relative to as many asperities of equal height.
+
+    `_force_spline` explains the factor.
+    """
     log_index = np.log(np.clip(index, *ADHESION_INDICES))
     return np.exp(-np.exp(_force_spline(tension, factor)(log_index)))
 
@@ -208,16 +212,16 @@ CLASSICAL_MODELS = {
         lambda work, roughness, sphere: rumpf(
             work, sphere.radius, HEMISPHERE_OVER_RMS * roughness.height, sphere.spacing
         ),
-        True,
+        is_proportional=True,
     ),
     "rumpf_curvature": ClassicalModel(
         "Rumpf (curvature)",
         lambda work, roughness, sphere: rumpf(
             work, sphere.radius, 1 / roughness.curvature, sphere.spacing
         ),
-        True,
+        is_proportional=True,
     ),
-    "rabinovich": ClassicalModel("Rabinovich", rabinovich, True),
-    "fuller_tabor": ClassicalModel("Fuller–Tabor", fuller_tabor, False),
-    "maugis": ClassicalModel("Maugis", maugis_rough_dmt, False),
+    "rabinovich": ClassicalModel("Rabinovich", rabinovich, is_proportional=True),
+    "fuller_tabor": ClassicalModel("Fuller–Tabor", fuller_tabor, is_proportional=False),
+    "maugis": ClassicalModel("Maugis", maugis_rough_dmt, is_proportional=False),
 }

@@ -12,9 +12,9 @@ from hardcontact.inference.edges_of_masters import edges_of_masters
 def compute_edge_shifts(forces: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
     """Return the edges of plastic and rigid contact at each range of adhesion, and their shifts.
 
-    Forces come from `read_master_forces`, at one radius and load. ``edge_shift`` (cause, side,
-    group) is the edge of plastic contact at the longest range, relative to rigid contact
-    (``"plasticity"``) or to the shortest range (``"range"``).
+    Forces come from `read_master_forces`, at one radius and load. Edges are (contact_model, rho,
+    side, group). ``edge_shift`` (cause, side, group) is the edge of plastic contact at the longest
+    range, relative to rigid contact (``"plasticity"``) or to the shortest range (``"range"``).
     """
     # Sorted by area, rigid contact is the first, as in CONTACT_MODELS: its area is zero.
     forces = forces.squeeze("radius", drop=True).sortby("contact_area").drop_vars("contact_area")

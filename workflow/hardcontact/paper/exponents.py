@@ -1,8 +1,8 @@
 """Exponents of the pull-off force and of the edges of the band against sphere radius and load.
 
 Edges are fitted as powers of two square roots: of the radius of the sphere, because the interaction
-radius √(Dρ) grows like it, and of the area in contact, because it is a length. If the exponent is
-1, edges are proportional to the root.
+radius √(Dρ) grows like this root, and of the area in contact, because its root is a length. If the
+exponent is 1, edges are proportional to the root.
 """
 
 import numpy as np
@@ -14,8 +14,8 @@ from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.inference.edges import find_edges, logarithmic_limits
 
-#: Labels of the fitted exponents: those of the square roots of the sphere's radius, and of the area
-#: in contact.
+#: Labels of the fitted exponents, against the roots of the sphere's radius and of the area in
+#: contact.
 SCALED_QUANTITIES = ["radius", "contact"]
 
 
@@ -34,8 +34,8 @@ def fit_exponents(
 def force_exponent(forces: xr.Dataset, contact_area: float, confidence: float) -> xr.Dataset:
     """Return the exponent of the mean force on unfiltered long-edge masters against the radius.
 
-    Forces (..., radius, contact_area) are taken at the nearest contact area (nm²). The fit is by
-    least squares of ln F against ln R, the interval is over realizations.
+    Of the forces (..., radius, contact_area) those at the contact area nearest to `contact_area`
+    (nm²) count. The fit is by least squares of ln F against ln R. The interval is over masters.
     """
     long_wave_forces = forces["unfiltered_pull_off_force"].sel(side="long")
     means = long_wave_forces.sel(contact_area=contact_area, method="nearest").mean(CONTACT_AXES)
@@ -74,13 +74,13 @@ def edge_exponents(forces: xr.Dataset, tolerance: float, confidence: float) -> x
 def _fit_all_edges(forces: xr.Dataset, tolerance: float) -> Floats:
     """Return the exponents (surface, side, exponent_of) of the edges of all surfaces."""
     touching_area = forces["touching_area"].isel(surface=0, realization=0)
-    log_lengths = [np.log(forces["radius"]) / 2, np.log(touching_area) / 2]
+    log_roots = [np.log(forces["radius"]) / 2, np.log(touching_area) / 2]
     curves = xr.ufuncs.log(forces["filtered_force_ratio"].mean("realization", skipna=False))
     edges = find_edges(curves, logarithmic_limits(tolerance), forces["spectrum_end"])
     exponents: xr.DataArray = xr.apply_ufunc(
-        _fit_edges_of_surface,
+        _fit_edges,
         np.log(edges["edge"]),
-        *log_lengths,
+        *log_roots,
         input_core_dims=[["radius", "contact_area"], ["radius"], ["contact_area"]],
         output_core_dims=[["exponent_of"]],
         vectorize=True,
@@ -88,14 +88,15 @@ def _fit_all_edges(forces: xr.Dataset, tolerance: float) -> Floats:
     return np.asarray(exponents.transpose("surface", "side", "exponent_of"))
 
 
-def _fit_edges_of_surface(log_edge: Floats, log_radius: Floats, log_area: Floats) -> Floats:
-    """Return the exponents (2,) of SCALED_QUANTITIES, NaN if the edges do not determine them.
+def _fit_edges(log_edge: Floats, log_radius_root: Floats, log_area_root: Floats) -> Floats:
+    """Return the exponents (2,) of SCALED_QUANTITIES for the edges of one surface and side.
 
-    The arguments are the logarithms of edges (radius, contact_area), NaN if open, and of the roots.
+    Edges (radius, contact_area) are NaN if they are open. The exponents are NaN if the edges do not
+    determine them.
     """
-    log_lengths = np.broadcast_arrays(log_radius[:, None], log_area)
+    log_roots = np.broadcast_arrays(log_radius_root[:, None], log_area_root)
     is_found = np.isfinite(log_edge)
-    columns = [np.ones(is_found.sum()), *(length[is_found] for length in log_lengths)]
+    columns = [np.ones(is_found.sum()), *(log_root[is_found] for log_root in log_roots)]
     design = np.stack(columns, axis=-1)
     count = len(SCALED_QUANTITIES)
     if len(design) <= count + 1 or np.linalg.matrix_rank(design) <= count:

@@ -49,8 +49,8 @@ def compute_candidates(
 ) -> xr.Dataset:
     """Return features, roughness and forces of candidates of one of FEATURE_KINDS.
 
-    Forces (candidate, scan, contact_model, rho, contact_y, contact_x) of a smooth sphere are in N
-    at 1 J/m², at ranges in nm.
+    Forces (candidate, scan, contact_model, rho, contact_y, contact_x) of a smooth sphere on
+    levelled, mirrored scans are in N at 1 J/m², at ranges in nm.
     """
     candidates = []
     for number in progress(numbers, len(numbers), "surfaces with features"):
@@ -90,11 +90,12 @@ def compare_features(
     published: PublishedForces,
     labels: Mapping[str, str],
 ) -> xr.Dataset:
-    """Return features.nc: CANDIDATE_STATISTICS (features, candidate) and the published ones.
+    """Return features.nc: CANDIDATE_STATISTICS (features, candidate), and published statistics.
 
-    `candidates_by_surface` explains `chunks`. `sphere_factors` (surface, contact_model, rho)
-    are the forces on the rough sphere relative to a smooth sphere. The paper has one surface with
-    features at most; without one the dataset is empty.
+    The dimension ``features`` has the kinds of features. `candidates_by_surface` explains `chunks`.
+    `sphere_factors` (contact_model, surface, rho) are the forces on the rough sphere relative to a
+    smooth sphere. The paper has one surface with features at most; without one the dataset is
+    empty.
     """
     if not chunks:
         return _empty_comparison()

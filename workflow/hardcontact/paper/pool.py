@@ -1,7 +1,8 @@
 """Pool of substitute scans: their forces at several rms heights, and the scans that a set takes.
 
-A set scales the rms heights of its scans to those of Table 1. Its forces are interpolated between
-those at a few rms heights, which span all that sets need.
+The pool of a substrate has many substitute scans. A set is a random choice of them, whose rms
+heights it scales to Table 1. Its forces are interpolated between the forces at a few rms heights,
+which span all heights that sets need.
 """
 
 from collections.abc import Sequence
@@ -35,8 +36,8 @@ def pool_rms_heights(targets: Targets, scan_count: int, height_count: int) -> Fl
     """Return the ascending rms heights (n,) in nm at which the forces of a pool are computed.
 
     In a set of k scans none is more than (k - 1)/sqrt(k) standard deviations from their mean, so
-    the heights reach that far. Their roots are evenly spaced, because forces change faster at small
-    heights.
+    the heights reach that far. Their square roots are evenly spaced, because forces change faster
+    at small heights. A single scan needs only the mean.
     """
     mean = targets.means["rms_height"]
     if scan_count == 1:
@@ -53,7 +54,7 @@ def compute_pool(
     contact: Contact,
     ranges: list[float],
 ) -> xr.Dataset:
-    """Return the roughness of some scans of a pool, by number, and the forces on them.
+    """Return the metrics of Table 1 of some scans of a pool, by number, and the forces on them.
 
     ``log_force`` (scan, rms_height_of_force, contact_model, rho, contact_y, contact_x) is ln(force
     in N) at 1 J/m². Rms heights and ranges of adhesion are in nm.
@@ -89,7 +90,7 @@ def _forces_at_heights(
 
 
 def smooth_sphere_forces(scan: HeightMap, contact: Contact, ranges: list[float]) -> xr.DataArray:
-    """Return the pull-off forces of a smooth sphere on a levelled scan, mirrored."""
+    """Return the pull-off forces in N at 1 J/m² of a smooth sphere on the mirrored scan."""
     bodies = join_bodies(mirror_scan(scan), None, contact)
     return pull_off_dataset(bodies, contact, ranges)["pull_off_force"]
 
@@ -97,8 +98,9 @@ def smooth_sphere_forces(scan: HeightMap, contact: Contact, ranges: list[float])
 def scans_of_set(pool: xr.Dataset, rng: np.random.Generator, scan_count: int) -> xr.Dataset:
     """Return the scans of one substrate in a set, sampled from its pool without replacement.
 
-    Their rms heights have the mean and deviation of Table 1. A set is sampled again if a height is
-    below the lowest height of the pool. Raises ValueError if no set with possible heights is found.
+    Their rms heights have the mean and the standard deviation of Table 1. A set is sampled again if
+    a height is below the lowest height of the pool. Raises ValueError if no set with possible
+    heights is found.
     """
     lowest = pool["rms_height_of_force"].values.min()
     mean = pool.attrs["mean_rms_height"]
@@ -117,7 +119,8 @@ def scans_of_set(pool: xr.Dataset, rng: np.random.Generator, scan_count: int) ->
 def _scale_scans(scans: xr.Dataset, heights: Floats) -> xr.Dataset:
     """Return the forces and metrics of scans of a pool at other rms heights (scan,) in nm."""
     factor = heights / scans["rms_height"].values
-    # The spline is smooth in the root, because forces change faster at small heights.
+    # The spline is smooth in the root, because forces change faster at small heights. It is
+    # extrapolated, because rounding may take a height slightly beyond the computed heights.
     computed_roots = np.sqrt(scans["rms_height_of_force"].values)
     weights = spline_weights(computed_roots, np.sqrt(heights), extrapolate=True)
     log_forces = np.einsum("na,na...->n...", weights, scans["log_force"].values)

@@ -127,7 +127,7 @@ def adhesion_of_set(
 
 
 def scale_to_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.DataArray:
-    """Return the forces of several scans, scaled to a mean that other scans might have."""
+    """Return forces, scaled to a mean that other scans might have; unchanged for a single scan."""
     axes = ("scan", "contact_model", "rho")
     means = mean_over_contacts(forces).transpose(*axes)
     if means.sizes["scan"] < 2:
@@ -140,7 +140,7 @@ def scale_to_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.
 def edges_of_set(
     forces: xr.Dataset, master_count: int, tolerance: float, sampling: Sampling, set_number: int
 ) -> xr.Dataset:
-    """Return the band from forces on masters of each substrate, sampled with replacement."""
+    """Return `edges_of_masters` for masters of each substrate, sampled with replacement."""
     ratio = sample_masters(forces["filtered_force_ratio"], master_count, sampling.seed, set_number)
     set_forces = forces.drop_dims("realization").assign(filtered_force_ratio=ratio)
     return edges_of_masters(set_forces, tolerance, sampling)[0]
@@ -149,7 +149,7 @@ def edges_of_set(
 def sample_masters(
     values: xr.DataArray, master_count: int, seed: int, set_number: int
 ) -> xr.DataArray:
-    """Return values (surface, realization, ...) of masters that are drawn with replacement."""
+    """Return values (surface, realization, ...) of masters that are sampled with replacement."""
     samples = []
     for surface in values["surface"].values.tolist():
         masters = values.sel(surface=surface, drop=True).dropna("realization", how="all")
