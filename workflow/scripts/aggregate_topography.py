@@ -1,4 +1,4 @@
-"""The metrics of Table 1 and the PSDs of every scan, and their averages: topography.nc."""
+"""Metrics and PSDs of every scan, mean metrics, spectra, and example maps: topography.nc."""
 
 from hardcontact.base.dataset import add_surface_names, read_by_name
 from hardcontact.records.job import run_job

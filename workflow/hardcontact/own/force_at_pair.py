@@ -1,7 +1,8 @@
 """The pull-off forces on the user's surfaces at one work and all ranges of adhesion: force.nc.
 
-Forces on scans come from their roughness alone. The extrapolated force also has the roughness that
-the microscope does not show.
+Forces on scans come from the roughness of the scans alone. The extrapolated force also has the
+roughness that the microscope does not show. `contact_model` is plastic or rigid contact, `rho` the
+range of adhesion (nm), and `side` the short or the long edge of the band.
 """
 
 from collections.abc import Mapping, Sequence

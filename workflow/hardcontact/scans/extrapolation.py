@@ -145,7 +145,7 @@ class Tail(NamedTuple):
 
 
 def is_tail_known(tail: Tail) -> bool:
-    """Return True if a Hurst exponent within 0 to 1 fits at least five bins, or none is needed.
+    """Return True if a Hurst exponent between 0 and 1 fits at least five bins, or none is needed.
 
     Otherwise the extrapolation to short waves is a guess.
     """

@@ -188,7 +188,7 @@ class ScanSpectrum(Spectrum):
     """C_iso in nm⁴ of the scans of a surface, over growing wavevectors in rad/nm."""
 
     joined_dataset: xr.Dataset  #: From `joined_spectrum`.
-    skewness: float  #: The largest skewness of the heights of a map; 0 without a map.
+    skewness: float  #: Skewness of heights, the largest of all maps by magnitude; 0 without a map.
     is_extrapolated: bool  #: Whether C_iso continues beyond the reliable wavelengths.
 
     def extrapolated(self) -> "ScanSpectrum":

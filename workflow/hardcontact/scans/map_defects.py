@@ -80,7 +80,8 @@ def find_line_patterns(heights: Floats, power: Floats, pixel_size: float) -> dic
 def _find_lay(power: Floats) -> tuple[Defect, float]:
     """Return the `lay_ratio` of a lay, if there is one, and the ratio of squared slopes.
 
-    Both compare the steepest direction with the one across, the first by variances of profiles.
+    The first compares variances of profiles along and across most wavevectors, the second squared
+    slopes along and across the steepest direction.
     """
     pixels = len(power)
     waves = np.fft.fftfreq(pixels, 1 / pixels)
@@ -138,12 +139,13 @@ def _find_directional_slopes(heights: Floats, pixel_size: float) -> Defect:
 def find_noise(variance: float, power: Floats) -> Defect:
     """Return the rms of white noise and the rms height without it (nm); none without noise.
 
-    At short waves noise makes a spectrum flatter than self-affine surfaces have; at longer waves it
-    is steeper.
+    With noise, a spectrum is flatter at short waves than those of self-affine surfaces, and steeper
+    at longer waves.
     """
     pixels = len(power)
     waves = np.fft.fftfreq(pixels, 1 / pixels)
     half_octave = np.round(2 * np.log2(pixels / np.maximum(np.hypot(waves, waves[:, None]), 1)))
+    # Wavelengths of 2^(3/2) pixels and more, in half octaves.
     half_octaves = np.arange(3, 2 * np.log2(pixels / MIN_WAVES))
     if len(half_octaves) < 2:
         return {}

@@ -1,7 +1,8 @@
 """The reliable wavelengths of a scan, which show the surface.
 
-Toward short wavelengths they end at the longest of four: four pixels, the cutoff of the tip (Sanner
-et al., Appl. Surf. Sci. Adv. 7 (2022) 100190), a noise floor, or smoothing by the microscope.
+Toward long wavelengths they end at a third of the size. Toward short wavelengths they end at the
+longest of four: four pixels, the cutoff of the tip (Sanner et al., Appl. Surf. Sci. Adv. 7 (2022)
+100190), a noise floor, or smoothing by the microscope.
 
 - A noise floor is flatter than q^-2 (H = 0).
 - Smoothing is steeper than q^-5, the limit for surfaces with facets. If C_1D differs between the

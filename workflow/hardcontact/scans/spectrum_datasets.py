@@ -1,4 +1,8 @@
-"""Datasets of spectra with the measurements, or the segments of a description, behind them."""
+"""Datasets of spectra with the measurements, or the segments of a description, behind them.
+
+A spectrum is a table over `wavevector` (WAVEVECTORS), measurements over `bin_wavevector`
+(BIN_CENTRES).
+"""
 
 import io
 from collections.abc import Mapping, Sequence

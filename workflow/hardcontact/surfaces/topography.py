@@ -16,7 +16,7 @@ from hardcontact.surfaces.spectrum import all_scales_rms, measured_psds, spectru
 
 
 def measured_roughness(scan: HeightMap) -> xr.Dataset:
-    """Return the METRICS of a scan, and its PSD over wavevector in nm⁴."""
+    """Return the METRICS of a scan, and its C_iso (nm⁴) over `wavevector`, the centres of bins."""
     wavevector, _, isotropic_psd = measured_psds(scan)
     attributes = NM4 | {"long_name": "C_iso"}
     return metrics_dataset(scan, METRICS).assign(
