@@ -57,8 +57,8 @@ MAX_EQUAL_LINE_SHARE = 0.01
 #: Largest share, and number, of the pixels at the highest or lowest height of an unclipped scan.
 MAX_END_SHARE = 1e-3
 MAX_END_PIXELS = 10
-#: Largest ratio of the number of these pixels to that at the next height: quantised heights have
-#: less than 1, a flat summit has 2.4.
+#: Largest ratio of pixels at the highest or lowest height to those at the next height. Quantised
+#: heights have less than 1, a flat summit has 2.4.
 MAX_CLIPPING_RATIO = 3.0
 #: Share of the steepest pixels, which may be sidewalls.
 SIDEWALL_PIXEL_SHARE = 0.05

@@ -51,7 +51,7 @@ def mean_bins(reliable: NDArray[np.bool_], density: Floats, modes: Floats) -> Me
 
 
 def _find_peaks(density: Floats, variance: Floats, power: Floats) -> NDArray[np.bool_]:
-    """Return the mask of peaks: inner bins with more power than chance adds to a smooth spectrum."""
+    """Return the mask of peaks: inner bins with more power than a smooth spectrum has by chance."""
     inner = np.flatnonzero(np.isfinite(density))[1:-1]
     modes = 1 / variance[inner] + 0.5  # inverts the variance, trigamma(n) ≈ 1/(n - 0.5)
     is_peak = np.zeros(len(power), bool)

@@ -78,8 +78,8 @@ def read_scan(
 
     `dataset` names a scan of a container, or a channel. `unit` ("nm", or "mm,nm" for positions and
     heights) and `map_size`, the longer side in nm, serve files that state none. `mask` is one of
-    MASKS. Raises ValueError, in one line, if the scan cannot be used, or if it has undefined pixels
-    and `undefined_pixels` is ``"refuse"``.
+    MASKS. Undefined pixels are filled if `undefined_pixels` is ``"harmonic"``. Raises ValueError,
+    in one line, if the scan cannot be used, or has undefined pixels that are not to be filled.
     """
     from hardcontact.scans.formats import read_fields
 
