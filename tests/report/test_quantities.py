@@ -11,7 +11,6 @@ from hardcontact.report.quantities import (
     all_quantities,
     answer_text,
     describe_number,
-    describe_with_three_digits,
     describe_without_interval,
     number_of,
     number_without_value,
@@ -70,18 +69,6 @@ def test_a_number_is_printed_with_its_interval_and_status(number, words):
 )
 def test_a_number_without_its_interval_keeps_the_digits(number, words):
     assert describe_without_interval(number) == words
-
-
-@pytest.mark.parametrize(
-    ("number", "words"),
-    [
-        (Number("edge", 37.24, "nm", 34.1, 45.3), "37.2 [34, 45] nm"),
-        (Number("edge", 269.4, "nm", 227.0), "269 nm (at least 227 nm)"),
-        (Number("edge", NAN, "nm", 34.1, 45.3), "34.1 nm to 45.3 nm"),
-    ],
-)
-def test_a_number_beside_a_ratio_has_three_digits(number, words):
-    assert describe_with_three_digits(number) == words
 
 
 def test_two_quantities_of_one_name_are_refused():

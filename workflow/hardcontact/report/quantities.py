@@ -137,12 +137,6 @@ def describe_without_interval(number: Number) -> str:
     return re.sub(r" \[[^]]*\]| \(.*\)", "", describe_number(number, 2))
 
 
-def describe_with_three_digits(number: Number) -> str:
-    """Return a number in words, with three digits even if those of its interval are fewer."""
-    value = format_number(number._replace(low=math.nan, high=math.nan)).partition(" ")[0]
-    return re.sub(r"\S+(?= \[)", value, describe_number(number))
-
-
 def _open_interval_words(number: Number, digits: int) -> str:
     """Return the words after a value whose interval lacks one end or both, or an empty text."""
     low, high = math.isfinite(number.low), math.isfinite(number.high)

@@ -104,7 +104,6 @@ def _environment() -> Any:
     environment.filters |= {
         "format_number": quantities.format_number, "in_words": quantities.describe_number,
         "two_digit_words": lambda number: quantities.describe_number(number, 2),
-        "in_three_digits": quantities.describe_with_three_digits,
         "without_interval": quantities.describe_without_interval,
         "unbroken": unbroken, "linked": _link_claims,
         "percent": format_share, "share_of_decades": _share_of_decades,
