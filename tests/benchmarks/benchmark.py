@@ -111,22 +111,22 @@ def elastic_contact(pixels=512):
     yield "elastic pull-off", seconds, f"library {longer:.3g}, {error:.1e}"
 
 
-def filtered_job(pixels, answer):
-    """Answer seconds and peak memory (GiB) of a cutoff of Fig. 6 in a process of its own."""
+def filtered_job(pixels, results):
+    """Put seconds and peak memory (GiB) of a cutoff of Fig. 6 into a queue of another process."""
     substrate = surface(pixels)
     seconds, _ = timed(lambda: pull_off(interpolate(lowpass(substrate, 43.0), pixels)), repeats=1)
     # The high-water mark of this process alone; getrusage would begin at its parent's.
     peak = next(line for line in Path("/proc/self/status").open() if line.startswith("VmHWM"))
-    answer.put((seconds, int(peak.split()[1]) / 2**20))
+    results.put((seconds, int(peak.split()[1]) / 2**20))
 
 
 def growth():
     context = multiprocessing.get_context("spawn")
     for pixels in (4096, 16384):
-        answer = context.Queue()
-        process = context.Process(target=filtered_job, args=(pixels, answer))
+        results = context.Queue()
+        process = context.Process(target=filtered_job, args=(pixels, results))
         process.start()
-        seconds, peak = answer.get()
+        seconds, peak = results.get()
         process.join()
         yield f"a cutoff of Fig. 6 on {pixels}² pixels", seconds, f"peak {peak:.2f} GiB"
 

@@ -75,7 +75,9 @@ def main():
     masters = arguments.masters or settings["master_count"]
     rows = []
     for set_number in range(1, (arguments.sets or sets.sizes["set"]) + 1):
-        samples = (sample_masters(f, masters, settings["seed"], set_number) for f in mean_forces)
+        samples = (
+            sample_masters(forces, masters, settings["seed"], set_number) for forces in mean_forces
+        )
         for name, ratio in both_ratios(*samples).items():
             rows.append({"ratio": name} | claimed_edges(forces_of_sets, ratio, settings))
     edges_of_sets = pd.DataFrame(rows).set_index("ratio")

@@ -37,7 +37,7 @@ from hardcontact.theory.validity import table_point
 
 TABLE = Path(__file__).parents[2] / "workflow/hardcontact/theory/designed_surfaces.csv"
 SEED, WORK, HARDNESS, TOLERANCE = 20261123, 1.0, 25e9, 0.1
-CONTACTS, CUTOFFS = 8, 12
+CONTACTS_PER_ROW, CUTOFF_COUNT = 8, 12
 #: Limits of each input, sampled evenly in its logarithm except for the Hurst exponent; lengths in
 #: nm, the area of contact in nm².
 BOUNDS = {
@@ -59,23 +59,21 @@ STEEP_BOUNDS = {name: ends for name, ends in BOUNDS.items() if name != "kind"} |
     "hurst": (1.0, 1.9),
     "hurst_change": (-0.7, 0.7),
 }
-#: Surfaces of the first design.
-FIRST = 96
-#: Surfaces of the second design.
-SECOND = 64
-SURFACES = FIRST + SECOND
+#: Surfaces of both designs.
+FIRST_COUNT, SECOND_COUNT = 96, 64
+SURFACE_COUNT = FIRST_COUNT + SECOND_COUNT
 #: Largest size of a surface in nm.
-LARGEST = 25e3
+MAX_SIZE = 25e3
 #: Realizations of a surface, by its pixels.
 GRIDS = {1024: 4, 2048: 3}
 
 
 def design(surfaces: int) -> list[dict[str, Any]]:
     """Return the inputs of the first surfaces of the design."""
-    first_rows = sample_inputs(BOUNDS, SEED, FIRST)
+    first_rows = sample_inputs(BOUNDS, SEED, FIRST_COUNT)
     second_rows = [
-        row | {"surface": FIRST + row["surface"], "kind": STEEP}
-        for row in sample_inputs(STEEP_BOUNDS, STEEP_SEED, SECOND)
+        row | {"surface": FIRST_COUNT + row["surface"], "kind": STEEP}
+        for row in sample_inputs(STEEP_BOUNDS, STEEP_SEED, SECOND_COUNT)
     ]
     return [row | grid(row) for row in [*first_rows, *second_rows][:surfaces]]
 
@@ -104,7 +102,7 @@ def grid(row: dict[str, Any]) -> dict[str, Any]:
     """
     summit_distance = np.sqrt(2 * row["radius"] * row["rms_height"] / 3)
     wanted_size = max(3 * row["rolloff"], 6 * summit_distance)
-    size = min(wanted_size, LARGEST)
+    size = min(wanted_size, MAX_SIZE)
     finest = np.sqrt(row["area"]) / 12
     pixels = next((n for n in GRIDS if size / n <= finest), max(GRIDS))
     pixel_size = size / pixels
@@ -139,16 +137,16 @@ def spectrum_of(row: dict[str, Any]) -> Spectrum:
 
 
 def compute_row(row: dict[str, Any]) -> dict[str, Any]:
-    """Return the mean force (N at 1 J/m²) with its standard error, and both edges."""
+    """Return the mean force (N at 1 J/m²), the standard error of its logarithm, and both edges."""
     spectrum, size, pixels = spectrum_of(row), row["size"], row["pixels"]
-    cutoffs = np.geomspace(1.15 * row["shortest"], size / 2.2, CUTOFFS)
+    cutoffs = np.geomspace(1.15 * row["shortest"], size / 2.2, CUTOFF_COUNT)
     wide = 12 * np.sqrt(row["radius"] * max(row["rho"], row["rms_height"]))
     contact = Contact(
         radius=row["radius"],
         preload=row["area"] * HARDNESS * 1e-18,
         hardness=HARDNESS,
         window=max(wide, 32 * size / pixels),
-        contacts_per_row=CONTACTS,
+        contacts_per_row=CONTACTS_PER_ROW,
         rho=row["rho"],
     )
     curves: dict[str, list[Any]] = {side: [] for side in SIDES}
@@ -164,12 +162,12 @@ def compute_row(row: dict[str, Any]) -> dict[str, Any]:
         forces.append(unfiltered_force)
     error = np.std(np.log(forces), ddof=1) / np.sqrt(len(forces))
     result = {"force": np.mean(forces), "force_error": error}
-    for side, name in zip(SIDES, ("short", "long"), strict=True):
-        result |= describe_edge(side, name, cutoffs, np.array(curves[side]))
+    for side in SIDES:
+        result |= describe_edge(side, cutoffs, np.array(curves[side]))
     return result
 
 
-def describe_edge(side: str, name: str, cutoffs: np.ndarray, ratios: np.ndarray) -> dict[str, Any]:
+def describe_edge(side: str, cutoffs: np.ndarray, ratios: np.ndarray) -> dict[str, Any]:
     """Return an edge of ratios (realization, cutoff) or its bound, with its interval."""
     log_ratios = np.log([ratios.mean(axis=0), ratios.min(axis=0), ratios.max(axis=0)])
     coordinates = {CUTOFF: cutoffs, "side": side}
@@ -179,10 +177,10 @@ def describe_edge(side: str, name: str, cutoffs: np.ndarray, ratios: np.ndarray)
     low, high = edge_intervals(curve, lowest, highest, limits).values
     status = {"found": "found", "open_above": "at least", "open_below": "at most"}
     return {
-        f"{name}_edge": edges_or_bounds(edge).item(),
-        f"{name}_edge_status": status[edge["edge_status"].item()],
-        f"{name}_edge_low": low,
-        f"{name}_edge_high": high,
+        f"{side}_edge": edges_or_bounds(edge).item(),
+        f"{side}_edge_status": status[edge["edge_status"].item()],
+        f"{side}_edge_low": low,
+        f"{side}_edge_high": high,
     }
 
 
@@ -225,7 +223,7 @@ def main() -> None:
     arguments = parser.parse_args()
     rows = pd.read_csv(arguments.table).to_dict("records") if arguments.table.exists() else []
     done = {row["surface"] for row in rows}
-    for row in design(SURFACES)[: arguments.surfaces]:
+    for row in design(SURFACE_COUNT)[: arguments.surfaces]:
         if row["surface"] not in done:
             rows.append(row | compute_row(row))
             _write(rows, arguments.table)

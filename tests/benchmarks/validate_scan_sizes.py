@@ -38,7 +38,7 @@ TABLE = RESOURCES / "validation/scan_size.nc"
 SURFACES = {"polished_uncd": "polished UNCD", "uncd": "UNCD", "ncd": "NCD", "mcd": "MCD"}
 CONFIDENCE, TOLERANCE, SEED = 0.95, 0.1, 2021
 #: Widths (nm) of two whole surfaces.
-SIZES = [20e3, 40e3]
+SURFACE_SIZES = [20e3, 40e3]
 #: Widths (nm) of scans along the diagonal of the second one.
 SCAN_SIZES = [1250.0, 2500.0, 5000.0, 10e3]
 SCAN_COUNT = 3
@@ -85,7 +85,7 @@ def filtered_forces(surface, contact):
 def realization_forces(name, spectrum, realization):
     """Return the mean `filtered_forces` on scans of every size, then those on whole surfaces."""
     surfaces = []
-    for size in SIZES:
+    for size in SURFACE_SIZES:
         rng = generator(SEED, name, realization, f"window edges {size:g} nm")
         pixels = window_pixels(size, PIXEL_SIZE)
         surfaces.append(random_surface(rng, pixels, PIXEL_SIZE, spectrum))
@@ -143,18 +143,21 @@ def long_edges(all_forces):
 def described_table(all_forces):
     """Return the table of the forces of all surfaces, with its coordinates and attributes."""
     lengths = {
-        "map_size": ([*SCAN_SIZES, *SIZES], "size of the mirrored scans, then of whole surfaces"),
+        "map_size": (
+            [*SCAN_SIZES, *SURFACE_SIZES],
+            "size of the mirrored scans, then of whole surfaces",
+        ),
         "cutoff_wavelength": (CUTOFFS, "wavelength above which roughness is removed"),
     }
     coordinates = {
         name: (name, values, {"units": "nm", "long_name": meaning})
         for name, (values, meaning) in lengths.items()
     }
-    mirrored = [1] * len(SCAN_SIZES) + [0] * len(SIZES)
+    mirrored = [1] * len(SCAN_SIZES) + [0] * len(SURFACE_SIZES)
     mirrored_attributes = {
         "units": "1", "long_name": "1 for mirrored scans, 0 for whole surfaces"
     }  # fmt: skip
-    periods = [*(2 * size for size in SCAN_SIZES), *SIZES]
+    periods = [*(2 * size for size in SCAN_SIZES), *SURFACE_SIZES]
     period_attributes = {"units": "nm", "long_name": "longest wave of the surface"}
     table = long_edges(all_forces.assign_coords(coordinates))
     return table.assign(

@@ -3,10 +3,11 @@
 import json
 import os
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 
 import numpy as np
 import pytest
-from known_spectra import contact_of_area, self_affine_spectrum
+from known_spectra import PAPER_CONTACT, self_affine_spectrum
 from prediction_command import predict_json, predict_text
 from refusals import assert_says, refusal
 
@@ -24,8 +25,6 @@ from hardcontact.theory.validity import nearest_ratios, table_point
 pytestmark = pytest.mark.usefixtures("quick_predictions")
 HEADER = "wavelength,wavelength_unit,c_iso,c_iso_unit"
 BY_WAVEVECTOR = "wavevector,wavevector_unit,c_iso,c_iso_unit"
-#: The paper's contact, in closed form.
-CONTACT = contact_of_area(250e3, 5.6, 0.0463, 400.0)
 
 
 def rows_of(spectrum):
@@ -129,7 +128,7 @@ def test_numbers_and_words_are_those_of_the_closed_form(write_table):
     spectrum = self_affine_spectrum(17, 1000, 0.8, 20)
     options = ["--range", "8nm", "--work", "50 mJ/m2"]
     numbers = predict_json(write_table(*rows_of(spectrum)), *options)
-    contact = contact_of_area(250e3, 8.0, 0.05, 400.0)
+    contact = replace(PAPER_CONTACT, rho=8.0, work=0.05)
     prediction = closed_form(spectrum, contact)
     force = numbers["closed_form_force"]
     assert force["value"] == pytest.approx(prediction.force, rel=1e-6)
@@ -164,7 +163,7 @@ def test_short_waves_missing_from_the_table_are_extrapolated(write_table):
     variance = np.full(spectrum.density.shape, CALIBRATION_SCATTER**2)
     fit = fit_hurst_exponent(spectrum.wavevector, spectrum.density, variance)
     density, _ = extrapolate_short_waves(spectrum.wavevector, spectrum.density, fit)
-    extrapolated_force = closed_form(Spectrum(WAVEVECTORS, density), CONTACT).force
+    extrapolated_force = closed_form(Spectrum(WAVEVECTORS, density), PAPER_CONTACT).force
     assert numbers["extrapolated_force"]["value"] == pytest.approx(extrapolated_force, rel=1e-6)
     assert numbers["extrapolated_change"]["status"] == "matters"
     for ended in ([*rows, "1,rad/nm,0,nm4"], rows_of(self_affine_spectrum(17, 1000, 0.8, 0.1))):

@@ -210,7 +210,7 @@ def test_scans_like_the_paper_s_get_about_its_grids():
 @pytest.mark.parametrize("preload", [5e-6, 20e-6, 25e-6])
 def test_ranges_of_adhesion_lie_apart_however_short_a_range_scans_permit(preload):
     """Their shortest range grows with the depth of the contact, sqrt(preload/hardness)/25."""
-    settings = contact(5e3, preload, 5e9, 3.0)
+    settings = contact(radius=5e3, preload=preload, hardness=5e9, rho=3.0)
     for config in both_efforts(
         settings, propose_keys([user_scan()], None, settings, range_given=True)
     ):
@@ -219,7 +219,7 @@ def test_ranges_of_adhesion_lie_apart_however_short_a_range_scans_permit(preload
         assert (ranges[1:] / ranges[:-1]).min() > 1.05  # a ratio of 1.1, rounded to two digits
 
 
-def test_a_slow_contact_is_told():
+def test_the_time_of_a_slow_contact_is_the_reason_for_few_contacts():
     settings = contact(preload=2e-3, hardness=1e9)
     reasons = {
         choice.key: choice.reason for choice in propose_keys([user_scan()], None, settings).choices
@@ -239,17 +239,20 @@ def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transi
     [
         (user_scan(band=BLIND), contact(), ["reliable at no wavelength: the tip at 3 µm"]),
         # For a relief of 5600 nm, exponentials overflow at ranges below 11.2 nm.
-        (user_scan(20000, 512, 700.0), contact(), ["11.2 nm, not the usual 5.6 nm"]),
+        (user_scan(20000, rms=700.0), contact(), ["11.2 nm, not the usual 5.6 nm"]),
         # erf(1000 nm / sqrt(2 R rho))^2 of the smooth sphere's force lie in a window of 2 um.
         (
-            user_scan(100, 512, 4.7), contact(),
+            user_scan(100, rms=4.7), contact(),
             [f"{math.erf(1000 / math.sqrt(2 * 250e3 * 5.6)) ** 2:.0%} of the force",
              "8 to 17 times too high on scans of 12% of this size, the smallest tested"],
         ),
         # 20 nm² are less than a pixel of 19.5 nm.
-        (user_scan(10000), contact(5e3, 100e-9, 5e9, 2.0), ["less than a pixel"]),
         (
-            user_scan(10000, 512, 14, undefined_count=512**2 * 3 // 10), contact(),
+            user_scan(10000), contact(radius=5e3, preload=100e-9, hardness=5e9, rho=2.0),
+            ["less than a pixel"],
+        ),
+        (
+            user_scan(10000, rms=14, undefined_count=512**2 * 3 // 10), contact(),
             ["30% of its pixels"],
         ),
         (user_scan(defects={"highest": {"highest_share": 0.1}}), contact(), ["one.nc: 10 % of"]),
@@ -257,9 +260,8 @@ def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transi
 )  # fmt: skip
 def test_scans_that_spoil_the_forces_have_a_caution_with_numbers(scan, settings, message_parts):
     assert_says(" ".join(propose_keys([scan], None, settings).cautions), *message_parts)
-    assert not propose_keys(
-        [user_scan(10000, 512, 14, undefined_count=99)], None, contact()
-    ).cautions
+    few_gaps = user_scan(10000, rms=14, undefined_count=99)
+    assert not propose_keys([few_gaps], None, contact()).cautions
 
 
 @pytest.mark.parametrize(("radius", "stated"), [(50e3, 250e3), (50e3, 60e3), (50e3, 40e3)])

@@ -1,6 +1,7 @@
 """Small datasets of the user's surfaces, as in a study: edges, forces, fits, spectra, maps."""
 
 from functools import cache
+from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -61,12 +62,23 @@ def topography(count=1, source="measured"):
     return data.assign_attrs(confidence=CONFIDENCE)
 
 
-#: Kind, size, pixel size, ends of the reliable band, why it begins there, tip radius; in nm.
+class Measurement(NamedTuple):
+    """A scan and its reliable band; lengths in nm."""
+
+    kind: str
+    size: float
+    pixel_size: float
+    shortest_reliable: float
+    longest_reliable: float
+    limited_by: str
+    tip_radius: float
+
+
 MEASUREMENTS = {
-    "fine.spm": ("map", 640, 10, 55, 320, "tip", 10),
-    "coarse.spm": ("map", 10_000, 40, 160, 5000, "noise", np.nan),
-    "line.txt": ("line scan", 50_000, 200, 800, 25_000, "pixels", np.nan),
-}  # fmt: skip
+    "fine.spm": Measurement("map", 640, 10, 55, 320, "tip", 10),
+    "coarse.spm": Measurement("map", 10_000, 40, 160, 5000, "noise", np.nan),
+    "line.txt": Measurement("line scan", 50_000, 200, 800, 25_000, "pixels", np.nan),
+}
 
 
 def spectra(count=1, scans=MEASUREMENTS):
@@ -86,16 +98,16 @@ def spectra(count=1, scans=MEASUREMENTS):
 
 
 def _spectra_of(bins, scans):
+    """Return the joined spectrum of measurements by name; those with noise below their band."""
     rng = np.random.default_rng(1)
     wavelength = 2 * np.pi / bins
-    columns = dict(zip(
-        ("kind", "size", "pixel_size", "shortest_reliable", "longest_reliable",
-         "limited_by", "tip_radius"),
-        zip(*scans.values(), strict=True), strict=True,
-    ))  # fmt: skip
+    columns = {
+        name: [getattr(scan, name) for scan in scans.values()] for name in Measurement._fields
+    }
     psd, reliable = [], []
-    for _, size, pixel, short, long, *_ in scans.values():
-        is_resolved = (wavelength > 2 * pixel) & (wavelength < size)
+    for scan in scans.values():
+        short, long = scan.shortest_reliable, scan.longest_reliable
+        is_resolved = (wavelength > 2 * scan.pixel_size) & (wavelength < scan.size)
         noisy = power_law(bins) * np.exp(0.15 * rng.normal(size=bins.size)) + power_law(
             2 * np.pi / short
         ) * (wavelength < short)

@@ -18,7 +18,9 @@ OPTIONS = [
     "--host-resolver-rules=MAP * ~NOTFOUND", "--virtual-time-budget=3000", "--dump-dom",
 ]  # fmt: skip
 needs_browser = pytest.mark.skipif(BROWSER is None, reason="no browser is installed")
+#: Pixels of a phone and of a desk.
 WIDTHS = (390, 1200)
+HEIGHT = 844
 #: Schemes of colours as the browser counts them.
 SCHEMES = ("dark", "light")
 
@@ -42,7 +44,8 @@ PROBE = """<script>onload = () => { document.body.dataset.shown = JSON.stringify
 def measure_pages(pages, folder):
     """Open each page at each of WIDTHS (pixels) and return the measures, lengths in pixels."""
     frames = "".join(
-        f'<iframe width="{width}" height="844" style="border: 0" srcdoc="{escape(html)}"></iframe>'
+        f'<iframe width="{width}" height="{HEIGHT}" style="border: 0" srcdoc="{escape(html)}">'
+        "</iframe>"
         for html in pages
         for width in WIDTHS
     )
@@ -56,7 +59,7 @@ def run_on_pages(actions, folder):
     the result.
     """
     pages = "".join(
-        f'<iframe width="1200" height="844" srcdoc="{escape(html)}"></iframe>'
+        f'<iframe width="{WIDTHS[-1]}" height="{HEIGHT}" srcdoc="{escape(html)}"></iframe>'
         for html, _ in actions
     )
     functions = ", ".join(f"async (document, window) => {{{script}}}" for _, script in actions)

@@ -29,7 +29,7 @@ def filtered_forces(curves, spread=0.0):
     """Return forces of known ratios (surface, side, cutoff), with scatter over contacts."""
     rng = np.random.default_rng(0)
     curves = np.array(curves)
-    shape = (len(curves), 3, 2, 1, 4, 4)
+    shape = (len(curves), 3, 2, 1, 4, 4)  # MASTER_DIMS, cutoff, contact_y, contact_x
     unfiltered = np.exp(0.3 * rng.standard_normal((*shape[:3], *shape[4:])))
     factor = np.exp(spread * rng.standard_normal(shape[:4] + (1, 1)))
     factor = factor * np.exp(0.5 * spread * rng.standard_normal(shape))

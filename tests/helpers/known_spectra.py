@@ -33,3 +33,7 @@ def gaussian_spectrum(rms=4.0, length=100.0):
 def contact_of_area(radius, rho, work, area):
     """Return a contact whose preload an area in nm² carries, at a hardness of 1 N/nm²."""
     return Contact(radius=radius, rho=rho, work=work, preload=area, hardness=1e18)
+
+
+#: The paper's contact, in closed form.
+PAPER_CONTACT = contact_of_area(radius=250e3, rho=5.6, work=0.0463, area=400.0)

@@ -53,8 +53,8 @@ def ratio_intervals(filtered_forces, tiles):
 
     They contain 1 + TOLERANCE if the interval of the edge contains the cutoff.
     """
-    master_scans = MasterScans({"a": 1}, tiles, {"a": 99})
-    edges = edges_of_scans(filtered_forces, None, master_scans, TOLERANCE, 0.95)
+    master_scans = MasterScans(scan_counts={"a": 1}, tiles=tiles, touched_patches={"a": 99})
+    edges = edges_of_scans(filtered_forces, None, master_scans, TOLERANCE, confidence=0.95)
     return edges.filtered_force_ratio_interval.isel(surface=0).max("cutoff_wavelength")
 
 
@@ -85,8 +85,8 @@ def intervals_of_draw(draw):
     rng = generator(11, draw)
     surface = random_surface(rng, 256, SIZE / 64, known_density)
     mirrored = mirror_scan(level_plane(cut_scan(surface, 64)))
-    short = short_edge_master(rng, mirrored, 256, 160.0, known_density)
-    long = long_edge_master(rng, mirrored, 1, 1000.0, known_density)
+    short = short_edge_master(rng, mirrored, 256, transition=160.0, spectrum=known_density)
+    long = long_edge_master(rng, mirrored, 1, transition=1000.0, spectrum=known_density)
     filtered_forces = forces([(1, FILTERS["short"], short), (1, FILTERS["long"], long)], CONTACT)
     return ratio_intervals(filtered_forces, 1)
 

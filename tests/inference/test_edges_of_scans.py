@@ -10,13 +10,12 @@ from hardcontact.inference.mean_forces import MasterScans
 
 
 def edges(curves, scans, hindcast=None, spread=0.0):
-    return edges_of_scans(
-        filtered_forces(curves, spread),
-        hindcast,
-        MasterScans({"a": scans[0], "b": scans[-1]}, 2, {"a": 99, "b": 99}),
-        0.1,
-        0.95,
+    """Return the edges of ratios (surface, side, cutoff), with a number of scans a surface."""
+    master_scans = MasterScans(
+        scan_counts={"a": scans, "b": scans}, tiles=2, touched_patches={"a": 99, "b": 99}
     )
+    forces = filtered_forces(curves, spread)
+    return edges_of_scans(forces, hindcast, master_scans, tolerance=0.1, confidence=0.95)
 
 
 def hindcasts(ratio=1.0, filtered=1.0):
@@ -32,24 +31,24 @@ def hindcasts(ratio=1.0, filtered=1.0):
 
 @pytest.mark.parametrize("scans", [1, 2, 3])
 def test_intervals_surround_the_edge_within_the_cutoffs_of_their_side(scans):
-    band = edges([[SHORT, LONG]], [scans], spread=0.2).sel(surface="a")
+    band = edges([[SHORT, LONG]], scans, spread=0.2).sel(surface="a")
     low, high = band.edge_interval.sel(end="low"), band.edge_interval.sel(end="high")
     assert not (low >= band.edge).any() and not (high <= band.edge).any()
     assert band.edge_interval.notnull().any()
-    for side, ends in (("short", [10, 1000]), ("long", [1000, 4000])):
+    for side, shortest, longest in (("short", 10, 1000), ("long", 1000, 4000)):
         bounds = band.edge_interval.sel(side=side).dropna("end")
-        assert ((bounds >= ends[0]) & (bounds <= ends[1])).all()
+        assert ((bounds >= shortest) & (bounds <= longest)).all()
     assert band.interval_source.item() == ("quarters" if scans < 3 else "scans")
 
 
 def test_curves_that_never_cross_the_tolerance_give_bounds():
     flat_short = [1.0, 1.01, 1.02, np.nan, np.nan]
     steep_long = [np.nan, np.nan, 5.0, 3.0, 2.0]
-    band = edges([[flat_short, steep_long]], [1], spread=0.05).sel(surface="a")
+    band = edges([[flat_short, steep_long]], scans=1, spread=0.05).sel(surface="a")
     assert band.edge.isnull().all()
     np.testing.assert_array_equal(band.edge_bound, [1000, 4000])
     assert band.edge_status.values.tolist() == ["open_above", "open_above"]
-    band = edges([[[1.0] * 5, [2.0] * 5]], [3]).sel(surface="a")
+    band = edges([[[1.0] * 5, [2.0] * 5]], scans=3).sel(surface="a")
     assert band.edge_status.values.tolist() == ["open_above", "open_above"]
 
 
@@ -57,9 +56,9 @@ def test_the_error_of_artificial_roughness_widens_intervals():
     """It adds in squares, and is at most the change itself, so that it denies no change."""
     error = np.log(1.5)
     curves = [[SHORT, LONG]]
-    plain = edges(curves, [3], spread=0.1).sel(surface="a")
+    plain = edges(curves, scans=3, spread=0.1).sel(surface="a")
     hindcast = hindcasts(ratio=1 / 1.5)
-    wide = edges(curves, [3], hindcast, spread=0.1).sel(surface="a")
+    wide = edges(curves, 3, hindcast, spread=0.1).sel(surface="a")
     half_width, wide_half_width = (
         np.log(band.filtered_force_ratio_interval.sel(end="high") / band.filtered_force_ratio)
         for band in (plain, wide)
@@ -74,8 +73,8 @@ def test_the_error_of_artificial_roughness_widens_intervals():
 
 def test_scans_on_which_the_filter_ripples_have_no_short_edge():
     curves = [[SHORT, LONG]] * 2
-    plain = edges(curves, [3], spread=0.1)
-    band = edges(curves, [3], hindcasts(filtered=0.5), spread=0.1)
+    plain = edges(curves, scans=3, spread=0.1)
+    band = edges(curves, 3, hindcasts(filtered=0.5), spread=0.1)
     assert band.edge_status.values.tolist() == [["ripples", "found"], ["found", "found"]]
     assert np.isnan(band.edge.sel(surface="a", side="short"))
     xr.testing.assert_equal(band.sel(side="long"), plain.sel(side="long"))

@@ -19,7 +19,6 @@ from hardcontact.inference.measured_forces import (
 RHOS = np.array([0.5, 1.0, 2.0, 4.0, 8.0, 16.0])
 RHO, WORK = 5.0, 0.05
 SLOPES = {"a": 1.6, "b": 0.4}
-COLUMNS = ["surface", "mean", "median", "count", "site"]
 
 
 def mean_force(surface, rho):
@@ -29,7 +28,7 @@ def mean_force(surface, rho):
 
 def adhesion(rng, scans=5, spread=0.2, contact_spread=0.3):
     """Forces of contacts whose mean over many scans is `mean_force`."""
-    shape = (2, scans, 1, 1, 1, 4, 4)
+    shape = (2, scans, 1, 1, 1, 4, 4)  # FORCE_DIMS
     factor = np.exp(spread * rng.standard_normal(shape[:5] + (1, 1)) - spread**2 / 2)
     factor = factor * np.exp(contact_spread * rng.standard_normal(shape) - contact_spread**2 / 2)
     curves = np.array([mean_force(surface, RHOS) for surface in SLOPES])
@@ -45,15 +44,21 @@ def adhesion(rng, scans=5, spread=0.2, contact_spread=0.3):
     )
 
 
+def single_forces(forces, surface="a", sites=""):
+    """A table of single forces: each is its own mean and median."""
+    return pd.DataFrame(
+        {"surface": surface, "mean": forces, "median": forces, "count": 1, "site": sites}
+    )
+
+
 def force_table(rng, count=40, log_std=0.6, surfaces="ab"):
     """Measured forces, log-normal about the forces of RHO and WORK."""
     scatter = [np.exp(log_std * rng.standard_normal(count) - log_std**2 / 2) for _ in surfaces]
-    rows = [
-        (surface, force, force, 1, "")
+    tables = [
+        single_forces(WORK * mean_force(surface, RHO) * factors, surface)
         for surface, factors in zip(surfaces, scatter, strict=True)
-        for force in WORK * mean_force(surface, RHO) * factors
     ]
-    return pd.DataFrame(rows, columns=COLUMNS)
+    return pd.concat(tables, ignore_index=True)
 
 
 def fitted(computed_forces, table, factor=1.0):
@@ -145,10 +150,9 @@ def test_an_unknown_region_has_no_work(range_count, force_count, factor, is_know
 
 def test_a_summary_is_equivalent_to_its_single_forces():
     forces = np.exp(0.7 * np.random.default_rng(1).standard_normal(4000)) * 1e-7
-    rows = [("a", force, force, 1, "") for force in forces]
-    single = summarize_forces(pd.DataFrame(rows, columns=COLUMNS))
+    single = summarize_forces(single_forces(forces))
     assert single.mean == pytest.approx(forces.mean())
-    summary = pd.DataFrame([("a", forces.mean(), np.median(forces), 4000, "")], columns=COLUMNS)
+    summary = single_forces([forces.mean()]).assign(median=np.median(forces), count=len(forces))
     assert summarize_forces(summary).log_std == pytest.approx(single.log_std, rel=0.05)
 
 
@@ -161,17 +165,17 @@ def repeated_forces(seed):
 
 def test_forces_at_one_site_count_once():
     forces = repeated_forces(0)
-    rows = [("a", f, f, 1, f"p{site}") for site, row in enumerate(forces) for f in row]
-    table = pd.DataFrame(rows, columns=COLUMNS)
+    sites = np.repeat([f"p{site}" for site in range(5)], 40)
     means = forces.mean(axis=1)
-    expected = (means.mean(), np.log(means).std(ddof=1), 5, 200, False)
-    assert summarize_forces(table) == pytest.approx(expected)
+    expected = ForceSummary(
+        means.mean(), np.log(means).std(ddof=1), site_count=5, force_count=200, look_repeated=False
+    )
+    assert summarize_forces(single_forces(forces.ravel(), sites=sites)) == pytest.approx(expected)
 
 
 def test_repeated_sites_are_recognised_and_independent_ones_are_not():
     def looks(forces):
-        rows = [("a", f, f, 1, "") for f in forces]
-        return look_repeated(pd.DataFrame(rows, columns=COLUMNS))
+        return look_repeated(single_forces(forces))
 
     forces = repeated_forces(1)
     assert looks(forces.ravel()) and looks(forces.T.ravel())  # blocks, and rounds

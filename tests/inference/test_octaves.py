@@ -29,7 +29,9 @@ def wavy(*wavelengths):
 
 
 #: Parts of three maps: the maps themselves.
-WHOLE_PARTS = ScanParts(np.arange(3)[:, None, None], np.eye(3), 3)
+WHOLE_PARTS = ScanParts(
+    part_of_contact=np.arange(3)[:, None, None], correlation_matrix=np.eye(3), scan_count=3
+)
 
 
 def test_octaves_end_within_the_waves_of_a_map():

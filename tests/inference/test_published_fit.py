@@ -88,7 +88,11 @@ def make_adhesion(plastic):
     )
 
 
-PUBLISHED = PublishedForces(PUBLISHED_MEANS.iloc[::-1], (5.0, 0.04), THRESHOLD)  # in any order
+PUBLISHED = PublishedForces(
+    PUBLISHED_MEANS.iloc[::-1],
+    pair=(5.0, 0.04),
+    error_threshold=THRESHOLD,  # in any order
+)
 
 
 def fit_published(plastic, sampling=SAMPLING):

@@ -35,7 +35,7 @@ def forces_of(computed_forces):
 def adhesion(scans, radius=5e3, spread=0.3):
     """Log-normal forces: 2 rho N at 1 J/m² in the median, ten times that in plastic contact."""
     rng = np.random.default_rng(1)
-    shape = (2, max(scans), 2, 2, 1, 4, 4)
+    shape = (2, max(scans), 2, 2, 1, 4, 4)  # FORCE_DIMS
     forces = np.exp(spread * rng.standard_normal(shape)) * 2 * np.array(RHOS)[:, None, None]
     forces[:, :, :, 1] *= 10
     for surface, count in enumerate(scans):
@@ -120,9 +120,8 @@ def test_contacts_that_touch_few_patches_give_no_interval():
         assert scan_forces.force_interval.sel(surface="b").notnull().all() == (patches == 4)
         assert scan_forces.force_interval.sel(surface="a").notnull().all()
         assert scan_forces.contacts.values.tolist() == [16, 16]
-        master_scans = MasterScans({"a": 1}, 2, {"a": patches})
-        extrapolated_forces = find_extrapolated_forces(master_forces(), master_scans, 0.05, 0.95)
-        assert extrapolated_forces.extrapolated_force_interval.notnull().all() == (patches == 4)
+        interval = extrapolated_forces_of(patches).extrapolated_force_interval
+        assert interval.notnull().all() == (patches == 4)
 
 
 def test_forces_are_bounded_by_that_of_a_smooth_sphere():
@@ -148,19 +147,19 @@ def test_forces_are_bounded_by_that_of_a_smooth_sphere():
 
 # With extrapolated roughness
 
-MASTERS = MasterScans({"a": 1}, 2, {"a": 99})
+MASTER_FORCES = filtered_forces([[SHORT, LONG]]).assign(transition=("side", [20.0, 4e3]))
 
 
-def master_forces():
-    return filtered_forces([[SHORT, LONG]]).assign(transition=("side", [20.0, 4e3]))
+def extrapolated_forces_of(patches=99):
+    """The forces on masters of one scan, whose contacts touch a number of patches at least."""
+    master_scans = MasterScans(scan_counts={"a": 1}, tiles=2, touched_patches={"a": patches})
+    return find_extrapolated_forces(MASTER_FORCES, master_scans, CONTACT.work, confidence=0.95)
 
 
 def test_the_extrapolated_force_is_the_mean_over_contacts_and_masters():
-    forces = master_forces()
-    mean = forces.unfiltered_pull_off_force.mean(["realization", "contact_y", "contact_x"])
-    np.testing.assert_allclose(
-        find_extrapolated_forces(forces, MASTERS, 0.05, 0.95).extrapolated_force, 0.05 * mean
-    )
+    axes = ["realization", "contact_y", "contact_x"]
+    force = CONTACT.work * MASTER_FORCES.unfiltered_pull_off_force.mean(axes)
+    np.testing.assert_allclose(extrapolated_forces_of().extrapolated_force, force)
 
 
 @pytest.mark.parametrize(
@@ -169,7 +168,7 @@ def test_the_extrapolated_force_is_the_mean_over_contacts_and_masters():
 def test_the_extrapolated_force_differs_beyond_its_interval_and_the_tolerance(
     ratio, half_width, differs
 ):
-    extrapolated_forces = find_extrapolated_forces(master_forces(), MASTERS, 0.05, 0.95)
+    extrapolated_forces = extrapolated_forces_of()
     # The force on the scans, relative to the force with extrapolated roughness below their pixels.
     extrapolated_force = extrapolated_forces.extrapolated_force.sel(side="short").item()
     multiples = (1 - half_width / ratio, 1 + half_width / ratio)

@@ -29,7 +29,7 @@ def ratios(heights, side):
     forces = hindcast.hindcast_forces(
         mirrored,
         {side: OCTAVE},
-        [RandomBody(UNCD, PIXELS * PIXEL, 1, ("scan", 1))],
+        [RandomBody(UNCD, size=PIXELS * PIXEL, seed=1, random_stream=("scan", 1))],
         make_force_function(CONTACT),
         CONTACT.contacts_per_row,
     )

@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 import scan_files
-from known_spectra import contact_of_area
+from known_spectra import PAPER_CONTACT
 from measurements import PIXEL, measurement, random_line, random_map
 from prediction_command import predict_json, predict_text
 from refusals import assert_says, refusal
@@ -17,8 +17,6 @@ from hardcontact.scans.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.spectrum import spectrum_of_dataset
 from hardcontact.theory.closed_form import closed_form
 
-#: The paper's contact, in closed form.
-CONTACT = contact_of_area(250e3, 5.6, 0.0463, 400.0)
 pytestmark = pytest.mark.usefixtures("quick_predictions")
 
 
@@ -46,10 +44,10 @@ def check_prediction(path, heights, capsys):
     assert spectrum.wavelength[-1] >= 4 * PIXEL
     numbers = predict_json(str(path))
     assert f"{path}: reliable from" in capsys.readouterr().err
-    force = closed_form(spectrum, CONTACT).force
+    force = closed_form(spectrum, PAPER_CONTACT).force
     assert numbers["closed_form_force"]["value"] == pytest.approx(force)
     # It is extrapolated like the masters of the study, up to a roll-off beyond the scan.
-    force = closed_form(spectrum_of_dataset(joined_scans), CONTACT).force
+    force = closed_form(spectrum_of_dataset(joined_scans), PAPER_CONTACT).force
     assert numbers["extrapolated_force"]["value"] == pytest.approx(force, rel=1e-3)
     rolloff = joined_scans.attrs["rolloff"]
     assert numbers["extrapolated_rolloff"]["value"] == pytest.approx(rolloff, rel=1e-3)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import scan_files
 from direct_sum import direct_force, gap_to_sphere, mirror
-from known_spectra import contact_of_area, self_affine_spectrum
+from known_spectra import PAPER_CONTACT, self_affine_spectrum
 from measurements import random_map
 from refusals import assert_says, refusal
 
@@ -25,9 +25,7 @@ from hardcontact.surfaces.levelling import level_plane
 
 PIXELS, PIXEL_SIZE = 128, 40.0
 CONTACTS = 8
-#: The paper's contact.
-RADIUS, RANGE, WORK, AREA = 250e3, 5.6, 0.0463, 400.0
-CONTACT = replace(contact_of_area(RADIUS, RANGE, WORK, AREA), contacts_per_row=CONTACTS)
+CONTACT = replace(PAPER_CONTACT, contacts_per_row=CONTACTS)
 
 
 @pytest.fixture(autouse=True, scope="module")
@@ -55,12 +53,12 @@ def direct_forces(scan):
     heights = mirror(scan.heights)
     pixels = window_pixels(contact_on_scan(scan, CONTACT).window, scan.pixel_size)
     positions = (np.arange(CONTACTS) + 0.25) * len(heights) / CONTACTS
-    touching = int(np.ceil(AREA / scan.pixel_size**2))
+    touching = int(np.ceil(CONTACT.area / scan.pixel_size**2))
     gaps = (
-        gap_to_sphere(heights, position, pixels, scan.pixel_size, RADIUS)
+        gap_to_sphere(heights, position, pixels, scan.pixel_size, CONTACT.radius)
         for position in product(positions.astype(int), repeat=2)
     )
-    return [direct_force(gap, touching, RANGE, scan.pixel_size, WORK) for gap in gaps]
+    return [direct_force(gap, touching, CONTACT.rho, scan.pixel_size, CONTACT.work) for gap in gaps]
 
 
 def predicted(tmp_path, heights, *options):
@@ -128,7 +126,7 @@ def test_a_smooth_wafer_has_the_force_of_a_rough_sphere(tmp_path, predictions):
     waves = heights_of("gaussian")
     _, smooth_numbers = predictions["gaussian"]
     position = (np.arange(PIXELS) - (PIXELS - 1) / 2) * PIXEL_SIZE
-    sphere = waves - (position[:, None] ** 2 + position**2) / (2 * RADIUS)
+    sphere = waves - (position[:, None] ** 2 + position**2) / (2 * CONTACT.radius)
     path = tmp_path / "sphere.nc"
     scan_files.write_scan(path, sphere.T, (PIXELS * PIXEL_SIZE,) * 2)
     words, numbers = predicted(tmp_path, waves.T / 200, "--sphere", str(path))

@@ -1,4 +1,4 @@
-"""Sets: their datasets but for the scans those of the study, a number for every claim."""
+"""Sets: their datasets are those of the study but for the scans, with a number for every claim."""
 
 import numpy as np
 import pandas as pd
@@ -134,7 +134,9 @@ SETTINGS = SetSettings(
 )  # fmt: skip
 CLAIMS_OF_SETS = CLAIMS[CLAIMS["samples_from"] == "sets"]
 PUBLISHED = PublishedForces(
-    pd.DataFrame({"mean_force": MEAN_FORCE}, index=SUBSTRATES), (5.6, WORK), 0.1
+    pd.DataFrame({"mean_force": MEAN_FORCE}, index=SUBSTRATES),
+    pair=(5.6, WORK),
+    error_threshold=0.1,
 )
 
 
@@ -149,7 +151,7 @@ def test_numbers_are_those_of_each_set(sets):
         numbers = sets["value"].sel(set=number)
         sampled_scans = sample_set_scans(inputs, 1, number)
         adhesion = adhesion_of_set(inputs, sampled_scans, 1, number)
-        fit = fit_published(adhesion, PUBLISHED, "uncd", Sampling(1, 0, CONFIDENCE))
+        fit = fit_published(adhesion, PUBLISHED, "uncd", NO_SAMPLES)
         ranges = sets["range_of_adhesion"].sel(set=number, contact_model=MODELS)
         np.testing.assert_allclose(fit["range_of_adhesion"].sel(contact_model=MODELS), ranges)
         gradient = sampled_scans["ncd"]["rms_gradient"].mean().item()
@@ -166,14 +168,13 @@ def test_the_factor_of_the_sphere_is_the_ratio_of_mean_forces():
     assert factor.sel(surface="ncd").isnull().all()
 
 
-#: Seed of the study, then number of the set.
-DRAW = 1, 3
-NO_SAMPLES = Sampling(1, 0, CONFIDENCE)
+DRAW = {"seed": 1, "set_number": 3}
+NO_SAMPLES = Sampling(seed=1, sample_count=0, confidence=CONFIDENCE)
 
 
 def test_topography_of_a_set_replaces_only_sampled_scans():
     inputs = make_inputs(measured_surfaces=["mcd"])
-    sampled_scans = sample_set_scans(inputs, *DRAW)
+    sampled_scans = sample_set_scans(inputs, **DRAW)
     study = inputs.topography
     topography = topography_of_set(inputs, sampled_scans, CONFIDENCE)
     for name in TABLE1_METRICS.values():
@@ -194,8 +195,8 @@ def test_topography_of_a_set_replaces_only_sampled_scans():
 
 def test_forces_of_sampled_scans_are_scaled_to_the_rough_sphere():
     inputs = make_inputs()
-    sampled_scans = sample_set_scans(inputs, *DRAW)
-    adhesion = adhesion_of_set(inputs, sampled_scans, *DRAW)
+    sampled_scans = sample_set_scans(inputs, **DRAW)
+    adhesion = adhesion_of_set(inputs, sampled_scans, **DRAW)
     assert adhesion["pull_off_force"].dims == inputs.adhesion["pull_off_force"].dims
     assert adhesion.attrs == inputs.adhesion.attrs
     for surface, scans in sampled_scans.items():
@@ -206,7 +207,7 @@ def test_forces_of_sampled_scans_are_scaled_to_the_rough_sphere():
 
 def test_forces_on_measured_scans_change_by_one_factor_per_range():
     inputs = make_inputs(measured_surfaces=["mcd"])
-    adhesion = adhesion_of_set(inputs, sample_set_scans(inputs, *DRAW), *DRAW)
+    adhesion = adhesion_of_set(inputs, sample_set_scans(inputs, **DRAW), **DRAW)
     set_forces = adhesion["pull_off_force"].transpose("contact_model", "rho", ...)
     study_forces = inputs.adhesion["pull_off_force"].transpose("contact_model", "rho", ...)
     ranges = study_forces.sizes["rho"]
@@ -220,7 +221,10 @@ def test_forces_on_measured_scans_change_by_one_factor_per_range():
 
 def test_masters_are_sampled_again_for_every_set_and_surface():
     masters = make_masters().isel(surface=slice(2))
-    bands = [edges_of_set(masters, 5, 0.1, NO_SAMPLES, n) for n in range(60)]
+    bands = [
+        edges_of_set(masters, 5, tolerance=0.1, sampling=NO_SAMPLES, set_number=number)
+        for number in range(60)
+    ]
     ratio = np.array([band["filtered_force_ratio"].values for band in bands])
     ratios = masters["filtered_force_ratio"].transpose("side", "surface", ...)
     mean = ratios.mean("realization").values

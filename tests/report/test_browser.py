@@ -5,7 +5,7 @@ from functools import cache
 
 import pytest
 from answer_inputs import datasets, fit, open_edges, setting, spectra, topography
-from browser import WIDTHS, audit_page, measure_pages, needs_browser, run_on_pages
+from browser import HEIGHT, WIDTHS, audit_page, measure_pages, needs_browser, run_on_pages
 from html_page import Page
 from paper_study import CITATION, FRAME, claims, make_page, svg
 from repository import PAPER, ROOT
@@ -152,7 +152,7 @@ def test_claims_copy_with_their_cells_apart_and_open_for_a_link_and_for_the_prin
     assert (statement, claim["verdict"]) == (claim["statement"], VERDICTS[0])
     assert len(row.split("\t")) == len(head.split("\t")) == 6
     assert result["opened"] == [True] * 4 + [False] * 2 + [True]
-    assert result["menu"] == 0 <= result["below"] < 844
+    assert result["menu"] == 0 <= result["below"] < HEIGHT
     assert all(result["printed"])
 
 

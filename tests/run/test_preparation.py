@@ -90,10 +90,10 @@ def test_a_quick_study_has_its_own_folders():
     harder = {"study": "harder", "contact": PAPER["contact"] | {"hardness": "30 GPa"}}
     quick = {"quick": {"contact": {"contacts_per_row": 6}}}
     for overlays, study in (({}, "own-quick"), (harder, "harder-quick")):
-        configured = apply_effort(own_configuration | quick | overlays)
-        assert (configured["study"], configured["store"]) == (study, "results/own-store-quick")
-        assert apply_effort(configured) == configured
-        assert configured["contact"]["contacts_per_row"] == 6
+        config = apply_effort(own_configuration | quick | overlays)
+        assert (config["study"], config["store"]) == (study, "results/own-store-quick")
+        assert apply_effort(config) == config
+        assert config["contact"]["contacts_per_row"] == 6
 
 
 @pytest.mark.parametrize("text", ["2026-13-45", "'a: b: c'", "four", "2.5"])

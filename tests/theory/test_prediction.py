@@ -1,10 +1,12 @@
 """The table of designed surfaces agrees with the closed form that it validates."""
 
+from dataclasses import replace
+
 import numpy as np
 import pandas as pd
 import pytest
 import validate_prediction
-from known_spectra import contact_of_area, self_affine_spectrum
+from known_spectra import PAPER_CONTACT, contact_of_area, self_affine_spectrum
 
 from hardcontact.base.arrays import generator
 from hardcontact.surfaces.spectral_models import varying_hurst
@@ -27,7 +29,7 @@ def test_the_spectrum_of_a_grid_has_the_rms_height_of_its_surfaces():
 
 
 def test_the_table_repeats_the_design_and_the_closed_form():
-    designed = pd.DataFrame(validate_prediction.design(validate_prediction.SURFACES))
+    designed = pd.DataFrame(validate_prediction.design(validate_prediction.SURFACE_COUNT))
     pd.testing.assert_frame_equal(TABLE[designed.columns], designed, rtol=1e-4, check_dtype=False)
     for row in TABLE.to_dict("records")[::3]:
         spectrum = validate_prediction.spectrum_of(row)
@@ -64,23 +66,22 @@ COATINGS = [
 ]
 
 
+def is_in_table(spectrum, contact):
+    form = closed_form(spectrum, contact)
+    return validity.is_validated(validity.table_point(spectrum, contact, form))
+
+
 @pytest.mark.parametrize(("rolloff", "plateau", "hurst", "change"), COATINGS)
 def test_the_coatings_of_the_paper_lie_within_the_table(rolloff, plateau, hurst, change):
     density = varying_hurst(WAVEVECTORS, plateau, rolloff, hurst, change)
     spectrum = prediction.trim_spectrum(Spectrum(WAVEVECTORS, density))
-    contact = contact_of_area(250e3, 5.6, 0.0463, 400.0)
     mean_hurst = hurst + change * np.log10(rolloff / 20) / 2
     fit = validity.mean_hurst_and_change(spectrum, 20.0)
     assert fit == pytest.approx((mean_hurst, change), abs=0.01)
-    assert validity.is_validated(
-        validity.table_point(spectrum, contact, closed_form(spectrum, contact))
-    )
+    assert is_in_table(spectrum, PAPER_CONTACT)
 
 
 def test_a_contact_wider_than_the_roll_off_leaves_no_hurst_exponent():
     spectrum = Spectrum(WAVEVECTORS, varying_hurst(WAVEVECTORS, 1e6, 300, 0.8, 0.0))
     assert np.isnan(validity.mean_hurst_and_change(spectrum, 400.0)).all()
-    contact = contact_of_area(250e3, 5.6, 0.0463, 400.0**2)
-    assert not validity.is_validated(
-        validity.table_point(spectrum, contact, closed_form(spectrum, contact))
-    )
+    assert not is_in_table(spectrum, replace(PAPER_CONTACT, preload=400.0**2))

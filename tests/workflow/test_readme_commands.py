@@ -48,9 +48,9 @@ def commands(text):
             cell = line.split(" | ")[0] if line.startswith("|") else line
             codes = [" ".join(code.split()) for code in re.findall("`([^`]+)`", cell)]
             codes = [code for code in codes if not NOT_TYPED.fullmatch(code)]
-            commands = [code for code in codes if " " in code and COMMAND.fullmatch(code)]
-            typed += commands
-            if commands and line.startswith("|"):  # Other targets of the same command.
+            cell_commands = [code for code in codes if " " in code and COMMAND.fullmatch(code)]
+            typed += cell_commands
+            if cell_commands and line.startswith("|"):  # Other targets of the same command.
                 typed += [f"snakemake {code}" for code in codes if re.fullmatch(r"\w+", code)]
     return typed
 

@@ -1,4 +1,4 @@
-"""The texts of the documentation: their links, the files that they name, the README's length."""
+"""The texts of the documentation: their links, the files and modules that they name, numbers."""
 
 import re
 from importlib.util import find_spec

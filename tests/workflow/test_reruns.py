@@ -58,7 +58,7 @@ def load(script, *names):
 
 
 def run_dry(folder):
-    """Return the rules, with outputs, of a dry run in a folder, or its error message."""
+    """Return the rules of a dry run in a folder that make files, each with its files."""
     text = snakemake_output(folder, "-n", "--configfile", TINY, "overlay.yaml")
     planned_jobs = re.findall(
         r"^(?:local)?rule (\S+):\n(?:    input: .*\n)?(?:    output: (.*)\n)?", text, re.M

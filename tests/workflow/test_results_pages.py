@@ -64,6 +64,6 @@ def test_no_link_is_dead(results):
 def test_a_browser_shows_pages_on_phone_and_desk(results, tmp_path):
     pages = [(results / f"{name}.html").read_text() for name in ("answer", "report/figures")]
     opened = [page.replace("<details>", "<details open>") for page in pages]
-    for text_box in measure_pages(opened, tmp_path):
-        assert text_box["overflow"] == 0 and text_box["requests"] == 0
-        assert text_box["loaded"] == text_box["pictures"] > 0
+    for frame in measure_pages(opened, tmp_path):
+        assert frame["overflow"] == 0 and frame["requests"] == 0
+        assert frame["loaded"] == frame["pictures"] > 0

@@ -60,7 +60,7 @@ def test_claims_repeat_the_printed_forces_and_what_follows_from_them():
         assert ROWS.loc[claim, "published"] == pytest.approx(value, abs=error), claim
 
 
-def test_a_force_too_weak_for_a_claim_does_not_reproduce_it():
+def test_forces_are_too_weak_below_those_that_reproduce_the_published_scale():
     plastic = ROWS.loc["plastic_reproduces_scale"]
     lowest = accepted_range(*plastic[["rule", "published_low", "published_high"]]).low
     for name in ("rigid_too_weak", "short_range_too_weak"):
@@ -211,13 +211,17 @@ def test_sets_give_interval_and_agreeing_share(samples, ends, agreeing_share, ve
 
 
 @pytest.mark.parametrize(
-    ("middle", "verdict"), [((2.0, 1.8, 2.2), "reproduced"), ((2.0, 1.0, 2.2), "undecided"),
-                            ((0.5, 0.4, 0.6), "not reproduced")],
-)  # fmt: skip
-def test_an_order_needs_every_link(middle, verdict):
+    ("middle_force", "interval", "verdict"),
+    [
+        (2.0, [1.8, 2.2], "reproduced"),
+        (2.0, [1.0, 2.2], "undecided"),
+        (0.5, [0.4, 0.6], "not reproduced"),
+    ],
+)
+def test_an_order_needs_every_link(middle_force, interval, verdict):
     datasets = make_datasets()
-    datasets["forces"]["force"].loc["middle"] = middle[0]
-    datasets["forces"]["force_interval"].loc["middle"] = np.array(middle[1:])
+    datasets["forces"]["force"].loc["middle"] = middle_force
+    datasets["forces"]["force_interval"].loc["middle"] = np.array(interval)
     assert judge(datasets, **ORDER).verdict == verdict
 
 

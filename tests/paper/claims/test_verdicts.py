@@ -18,13 +18,13 @@ from hardcontact.paper.claims.verdicts import (
     without_verdicts,
 )
 
-NONE = (np.nan, np.nan)
+NO_INTERVAL = (nan, nan)
 #: The number, its interval and the verdict, for limits of 4 and 6.
 TWO_SIDED = [
     (5.0, (4.5, 5.5), "reproduced"),
     (5.0, (4.0, 6.0), "reproduced"),
     (5.0, (5.0, 5.0), "reproduced"),
-    (5.0, NONE, "agrees"),
+    (5.0, NO_INTERVAL, "agrees"),
     (5.0, (1.0, 9.0), "undecided"),
     (5.0, (4.5, 6.1), "undecided"),
     (7.0, (5.9, 8.0), "undecided"),
@@ -32,9 +32,9 @@ TWO_SIDED = [
     (7.0, (6.5, 8.0), "not reproduced"),
     (3.0, (2.0, 3.5), "not reproduced"),
     (7.0, (7.0, 7.0), "not reproduced"),
-    (7.0, NONE, "not reproduced"),
-    (np.nan, (4.5, 5.5), "undecided"),
-    (np.nan, NONE, "undecided"),
+    (7.0, NO_INTERVAL, "not reproduced"),
+    (nan, (4.5, 5.5), "undecided"),
+    (nan, NO_INTERVAL, "undecided"),
 ]
 
 
@@ -79,7 +79,7 @@ def test_a_factor_widens_both_limits():
 @pytest.mark.parametrize("rule", ["close", "factor", "factor x", "interval 2", "", "below"])
 def test_an_unknown_rule_or_one_without_its_limit_is_refused(rule):
     with pytest.raises(ValueError):
-        accepted_range(rule, 1.0, np.nan)
+        accepted_range(rule, 1.0, nan)
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""Colours and markers, labels, legends."""
+"""The style ignores settings of the user, and endless error bars leave the frame."""
 
 import matplotlib as mpl
 import numpy as np

@@ -5,6 +5,7 @@ import pytest
 import xarray as xr
 from answer_inputs import (
     SURFACES,
+    Measurement,
     datasets,
     drop_interval,
     edges,
@@ -45,14 +46,12 @@ def test_unreliable_ends_of_intervals_are_left_out(data, source):
 def test_the_change_at_an_edge_is_split_at_the_shortest_reliable_wavelength():
     # ln F is linear in ln c between 40 and 80 nm, and the scans begin at 55 nm.
     data = move_edge(80.0, 70.0, 90.0)
-    low, high = np.log(data["filtered_force_ratio"].sel(side="short", cutoff_wavelength=[40, 80]))[
-        0
-    ].values
+    log_ratios = np.log(data["filtered_force_ratio"].sel(surface=SURFACES[0], side="short"))
+    low, high = log_ratios.sel(cutoff_wavelength=[40, 80]).values
     unseen = low + (high - low) * np.log(55 / 40) / np.log(2)
     surface = datasets(edges=data).select_surface(SURFACES[0])
-    np.testing.assert_allclose(
-        reliable_and_unreliable_change(surface, "short", 0, 80), [high - unseen, unseen], 1e-4
-    )
+    changes = reliable_and_unreliable_change(surface, "short", shortest=0, longest=80)
+    np.testing.assert_allclose(changes, [high - unseen, unseen], rtol=1e-4)
     assert numbers_of(edges=data)["short_edge_measured_share"].value == pytest.approx(
         1 - unseen / high, rel=1e-4
     )
@@ -135,39 +134,39 @@ def test_contacts_that_touch_too_few_patches_give_no_answer():
     assert (conclusion.answer, conclusion.band) == ("no", "few_patches")
 
 
-def answer_of(data, wavelengths, force_data=None):
-    """The conclusion on edges with scans of these reliable wavelengths (nm)."""
-    scan = ("map", 2 * wavelengths[1], 1, *wavelengths, "pixels", np.nan)
-    numbers = numbers_of(
-        edges=data, spectra=spectra(scans={"scan.spm": scan}), force=force_data or force()
+def conclude(data, wavelengths, force_data=None):
+    """The conclusion on edges with a scan that is reliable between two wavelengths (nm)."""
+    shortest, longest = wavelengths
+    scan = Measurement("map", 2 * longest, 1, shortest, longest, "pixels", np.nan)
+    scan_spectra = spectra(scans={"scan.spm": scan})
+    return surface_conclusion(
+        numbers_of(edges=data, spectra=scan_spectra, force=force_data or force())
     )
-    conclusion = surface_conclusion(numbers)
-    return conclusion.answer, conclusion.band
 
 
 @pytest.mark.parametrize(
-    ("data", "wavelengths", "answer_and_band"),
+    ("data", "wavelengths", "answer", "band"),
     [
-        (edges(), (6, 25e3), ("yes", "found")),
-        (edges(), (55, 25e3), ("partly", "found")),
-        (edges(), (400, 1000), ("no", "found")),
-        (open_edges(), (6, 25e3), ("partly", "found")),
-        (move_edge(3000.0, 2000.0, 4000.0), (6, 25e3), ("yes", "overlapping")),
-        (unresolved_edges(), (6, 25e3), ("no", "unresolved")),
+        (edges(), (6, 25e3), "yes", "found"),
+        (edges(), (55, 25e3), "partly", "found"),
+        (edges(), (400, 1000), "no", "found"),
+        (open_edges(), (6, 25e3), "partly", "found"),
+        (move_edge(3000.0, 2000.0, 4000.0), (6, 25e3), "yes", "overlapping"),
+        (unresolved_edges(), (6, 25e3), "no", "unresolved"),
     ],
 )
-def test_the_verdict_follows_from_the_edges_and_the_scans(data, wavelengths, answer_and_band):
-    assert answer_of(data, wavelengths) == answer_and_band
+def test_the_answer_follows_from_the_edges_and_the_scans(data, wavelengths, answer, band):
+    conclusion = conclude(data, wavelengths)
+    assert (conclusion.answer, conclusion.band) == (answer, band)
 
 
 def test_scans_that_lack_roughness_answer_in_part_at_most():
-    assert (
-        answer_of(edges(), (6, 25e3), scale_extrapolated_force(force(), short=0.25))[0] == "partly"
-    )
-    assert answer_of(edges(), (400, 1000), scale_extrapolated_force(force(), short=0.25))[0] == "no"
+    changed_force = scale_extrapolated_force(force(), short=0.25)
+    assert conclude(edges(), (6, 25e3), changed_force).answer == "partly"
+    assert conclude(edges(), (400, 1000), changed_force).answer == "no"
 
 
-def test_a_force_with_an_unknown_extrapolation_is_not_in_the_verdict():
+def test_a_force_with_an_unknown_extrapolation_is_not_in_the_answer():
     unknown = spectra().assign(tail_known=("surface", [0]))
     extrapolated_force = scale_extrapolated_force(force(), short=0.25)
     partial = surface_conclusion(numbers_of(force=extrapolated_force, spectra=unknown))
