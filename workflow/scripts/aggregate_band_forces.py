@@ -1,4 +1,4 @@
-"""The force on the band alone, relative to that with all roughness: band_forces.nc."""
+"""The force with a part of the roughness, relative to all roughness: band_forces.nc."""
 
 from hardcontact.base.dataset import add_surface_names, read_by_name, stack
 from hardcontact.inference.band_forces import band_ratios
@@ -17,7 +17,7 @@ with run_job(snakemake) as job:
     }
     # The bands are the same on all surfaces.
     band_edge = next(iter(forces.values()))["band_edge"].isel(map=0, drop=True)
-    # Measured surfaces have no whole surfaces, and so NaN.
+    # Only substitutes have whole surfaces; the forces on measured surfaces are NaN.
     band_forces = stack(ratios, ["surface"]).reindex(surface=params["surfaces"])
     job.write(
         add_surface_names(band_forces.assign(band_edge=band_edge), params).assign_attrs(

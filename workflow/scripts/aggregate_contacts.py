@@ -1,4 +1,4 @@
-"""Single contacts on all surfaces: elastic ones, or the asperities that carry their force."""
+"""Single contacts on all surfaces: elastic contacts, or asperities that carry plastic contacts."""
 
 from hardcontact.base.dataset import add_surface_names, read_by_key, stack
 from hardcontact.records.job import run_job

@@ -17,6 +17,7 @@ with run_job(snakemake) as job:
     params = job.parameters
     radius, rho, confidence = params["radius"], params["rho"], params["confidence"]
     maps = concatenate(read_by_key(params["maps"], job.input.forces), "map")
+    # Only the scans of the user may be so few that touched patches matter.
     touched_patches = (
         fewest_touched_patches(read_dataset(job.input.adhesion)) if job.input.adhesion else {}
     )

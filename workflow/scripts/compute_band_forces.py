@@ -1,4 +1,4 @@
-"""Forces on whole substitute surfaces with a part of their roughness, by the limits of a band."""
+"""Forces on whole substitute surfaces with parts of their roughness, inside and outside bands."""
 
 from hardcontact.base import published
 from hardcontact.base.dataset import read_dataset, stack

@@ -1,4 +1,4 @@
-"""Pull-off forces of some scans of a substrate's pool, from which sets sample, by rms height."""
+"""Pull-off forces on some scans of a pool, scaled to several rms heights. Sets sample its scans."""
 
 from hardcontact.contact.contact import Contact
 from hardcontact.paper.pool import compute_pool, pool_rms_heights

@@ -1,7 +1,8 @@
 """Estimates about the band and the interaction radius, for claims.
 
-Forces are in N, lengths in nm. Each function returns an estimate (`estimates`). `paper` has the
-numbers of resources/paper/constants.csv by name.
+Forces are in N, lengths in nm. Each function returns an estimate (`estimates`). Its arguments are
+the datasets that claims name for it, also if it needs no number of them. `paper` has the numbers of
+resources/paper/constants.csv by name.
 """
 
 import numpy as np
@@ -58,7 +59,10 @@ def change_inside_band(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
 
 
 def short_cutoff_change(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
-    """Return the largest change by short cutoffs that remove only artificial roughness (group)."""
+    """Return the largest change of force by short cutoffs up to the published transition (group).
+
+    Such cutoffs remove only artificial roughness of the paper's masters.
+    """
     is_artificial = edges["cutoff_wavelength"] <= paper["short_transition_wavelength"]
     return _largest_change(edges, is_artificial).sel(side="short", drop=True)
 
@@ -70,7 +74,7 @@ def _largest_change(edges: xr.Dataset, is_selected: xr.DataArray) -> xr.Dataset:
 
 
 def stylus_change(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
-    """Return the change of the force at the short cutoff nearest to a stylus radius (group)."""
+    """Return the change of force at the short cutoff nearest to the radius of a stylus (group)."""
     change = variable_estimate(edges, "filtered_force_change").sel(side="short", drop=True)
     computed_change = change.sel(cutoff_wavelength=computed_cutoffs(change["value"]))
     radius = paper["stylus_radius"].item()
@@ -78,7 +82,7 @@ def stylus_change(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
 
 
 def dmt_fraction_at_last_cutoff(forces: xr.Dataset) -> xr.Dataset:
-    """Return the force at the largest short cutoff relative to 2 pi R W of a plane (surface)."""
+    """Return the force at the largest short cutoff, relative to 2πRW on a plane (surface)."""
     force = mean_over_contacts(forces["pull_off_force"].sel(side="short"))
     force = force.sel(cutoff_wavelength=last_cutoff(force, "short"), drop=True)
     dmt_force = dmt_pull_off(1.0, forces.attrs["sphere_radius"])  # the forces are at 1 J/m²
@@ -86,8 +90,9 @@ def dmt_fraction_at_last_cutoff(forces: xr.Dataset) -> xr.Dataset:
 
 
 def mean_band_ratio(band_forces: xr.Dataset) -> xr.Dataset:
-    """Return the mean over surfaces of the force on a part of the roughness (band, band_part).
+    """Return the mean over surfaces of ``band_force_ratio`` (band, band_part).
 
+    It is the force with a part of the roughness, relative to all roughness (`band_forces`).
     Surfaces are independent, so that the half widths of their intervals add in squares.
     """
     ratio = band_forces["band_force_ratio"]
@@ -105,10 +110,10 @@ def median_force_exponent(exponents: xr.Dataset) -> xr.Dataset:
 
 
 def median_edge_exponent(exponents: xr.Dataset) -> xr.Dataset:
-    """Return the exponent of an edge, the median over surfaces (side, exponent_of).
+    """Return the exponent of an edge against `exponent_of`, the median over surfaces.
 
-    NaN if the edges of a surface determine no exponent. The ends of the interval are medians over
-    the surfaces that have an interval.
+    It is (side, exponent_of); NaN if the edges of any surface determine no exponent. The ends of
+    the interval are medians over the surfaces that have an interval.
     """
     exponent = variable_estimate(exponents, "edge_exponent")
     return exponent.median("surface").where(exponent["value"].notnull().all("surface"))

@@ -40,7 +40,7 @@ def curvature_growth_over_height_growth(topography: xr.Dataset) -> xr.Dataset:
 
 
 def _all_over_afm(topography: xr.Dataset, quantity: str) -> xr.Dataset:
-    """Return a row of Table 1 for all scales relative to the row for the AFM scans."""
+    """Return an rms quantity of all scales relative to the AFM scans (surface)."""
     all_scales = variable_estimate(topography, TABLE1_VARIABLES[f"all_rms_{quantity}"])
     afm = variable_estimate(topography, TABLE1_VARIABLES[f"afm_rms_{quantity}"])
     return quotient(all_scales, afm)
@@ -80,12 +80,12 @@ def elastic_change(elastic: xr.Dataset) -> xr.Dataset:
 
 
 def median_share_above_hardness(elastic: xr.Dataset) -> xr.Dataset:
-    """Return the share of contact area with a pressure above the hardness, median over surfaces."""
+    """Return the median over surfaces of the share of contact area above the hardness ()."""
     return variable_estimate(elastic, "share_above_hardness").median("surface", skipna=False)
 
 
 def median_plastic_over_elastic_area(elastic: xr.Dataset) -> xr.Dataset:
-    """Return the area of plastic relative to elastic contact, median over surfaces ()."""
+    """Return the median over surfaces of the area of plastic relative to elastic contact ()."""
     plastic_area = elastic.attrs["preload"] / elastic.attrs["hardness"] / NANOMETRE**2
     ratio = plastic_area / mean_over_contacts(elastic["elastic_contact_area"])
     return mean_over_scans(ratio, elastic.attrs["confidence"]).median("surface", skipna=False)
@@ -94,8 +94,8 @@ def median_plastic_over_elastic_area(elastic: xr.Dataset) -> xr.Dataset:
 def deformation_over_adhesion(topography: xr.Dataset, elastic: xr.Dataset) -> xr.Dataset:
     """Return the elastic energy of conforming contact relative to the work of adhesion (surface).
 
-    The energy is E*/4 (1/2π) ∫ q² C dq for the AFM scans of one body; Persson and Tosatti, J. Chem.
-    Phys. 115 (2001) 5597. Wavelengths beyond the scans would add to it.
+    The energy is E*/4 (1/2π) ∫ q² C dq for the AFM scans of the substrate; Persson and Tosatti, J.
+    Chem. Phys. 115 (2001) 5597. Wavelengths beyond the scans would add to it.
     """
     spectrum = topography["isotropic_psd"].sel(surface=elastic["surface"]).fillna(0)
     moment = (topography["wavevector"] ** 2 * spectrum).integrate("wavevector") / (2 * np.pi)

@@ -20,7 +20,7 @@ def as_estimate(
     value: xr.DataArray, low: xr.DataArray | float = np.nan, high: xr.DataArray | float = np.nan
 ) -> xr.Dataset:
     """Return values and the ends of their intervals as an estimate; NaN for no interval."""
-    zero = xr.zeros_like(value)
+    zero = xr.zeros_like(value)  # gives an end that is a number the dimensions of the values
     return xr.Dataset({"value": value, "value_interval": join_ends(zero + low, zero + high)})
 
 
@@ -42,7 +42,8 @@ def variable_estimate(dataset: xr.Dataset, name: str) -> xr.Dataset:
 def mean_over_scans(values: xr.DataArray, confidence: float, dim: str = "scan") -> xr.Dataset:
     """Return the mean over a dimension as an estimate, with `student_log_interval`.
 
-    The interval is NaN if a value is not positive, and has zero width if all values are zero.
+    The interval is NaN for a single value, or if a value is not positive. It has zero width if
+    several values are all zero.
     """
     positive = ((values > 0) | values.isnull()).all(dim)
     interval = student_log_interval(values.where(positive), confidence, dim)
@@ -75,4 +76,5 @@ def quotient(numerator: xr.Dataset, denominator: xr.Dataset) -> xr.Dataset:
 def absolute_value(signed: xr.Dataset) -> xr.Dataset:
     """Return the absolute value of an estimate; an interval across zero then begins at zero."""
     low, high = interval_ends(signed, "value")
+    # a.clip(b) is the larger of both.
     return as_estimate(abs(signed["value"]), low.clip(-high).clip(0), high.clip(-low))

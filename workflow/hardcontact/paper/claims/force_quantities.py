@@ -120,7 +120,10 @@ def inverse_gaussian_misfit(adhesion: xr.Dataset) -> xr.Dataset:
 def _misfit(
     adhesion: xr.Dataset, distribution: str, parameters: Callable[[Floats], tuple[Any, ...]]
 ) -> xr.Dataset:
-    """Return the Kolmogorov distance of forces (n,) to a distribution of scipy.stats by name."""
+    """Return the Kolmogorov distance of forces to a distribution of scipy.stats by name.
+
+    `parameters` returns shape, if any, location and scale of the distribution for forces (n,).
+    """
     from scipy.stats import kstest
 
     def distance(forces: Floats) -> float:
@@ -153,14 +156,17 @@ def _forces_at_reference(adhesion: xr.Dataset) -> xr.DataArray:
 
 
 def short_range_force(fit: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
-    """Return the force at the published work and longest atomic range (contact_model, surface)."""
+    """Return the mean force at the published work and longest atomic range.
+
+    It is (contact_model, surface).
+    """
     force = variable_estimate(fit, "mean_force")
     atomic_force: xr.Dataset = force.interp(rho=paper["atomic_range_upper_bound"]).drop_vars("rho")
     return paper["work_of_adhesion"] * atomic_force
 
 
 def short_range_error(fit: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
-    """Return the smallest error at the ranges of atomic interactions (contact_model)."""
+    """Return the smallest error of the fit at the ranges of atomic interactions (contact_model)."""
     is_atomic = fit["rho_fine"] <= paper["atomic_range_upper_bound"]
     return as_estimate(fit["best_error_by_range"].where(is_atomic).min("rho_fine"))
 
@@ -168,7 +174,7 @@ def short_range_error(fit: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
 def error_of_second_minimum(fit: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the error at the second-best minimum along the range (contact_model).
 
-    It is infinite without a second minimum, and NaN if the best error exceeds the published
+    It is infinite without a second minimum, and NaN if the best error is not below the published
     threshold.
     """
     second_error = fit["error_at_minimum"].sel(minimum=2, drop=True).fillna(np.inf)
@@ -226,6 +232,9 @@ def tabor_by_convention(classical: xr.Dataset) -> xr.Dataset:
 
 
 def classical_over_numerical(classical: xr.Dataset, fit: xr.Dataset) -> xr.Dataset:
-    """Return classical over computed errors (metrics, model, force_source, contact_model)."""
+    """Return the error of classical models relative to the error of the fit.
+
+    It is (metrics, model, force_source, contact_model).
+    """
     classical_error = variable_estimate(classical, "mean_relative_error")
     return quotient(classical_error, variable_estimate(fit, "best_error"))

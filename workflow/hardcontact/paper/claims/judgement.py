@@ -53,7 +53,8 @@ def claim_values(
     """
     values = {
         claim.id: np.nan if result is None else result.estimate["value"].reset_coords(drop=True)
-        for claim, result in _estimate_claims(claims, datasets, constants, np.nan)
+        # Without a confidence, values have no intervals.
+        for claim, result in _estimate_claims(claims, datasets, constants, confidence=np.nan)
     }
     return xr.Dataset(values).to_dataarray("claim").transpose("set", "claim")
 
@@ -67,9 +68,9 @@ def judge_claims(
 ) -> pd.DataFrame:
     """Return one row for each claim, with JUDGED_COLUMNS.
 
-    ``value`` (set, claim) of sets.nc gives the agreeing share and, if it varies, interval and
-    verdict. A claim about a surface or a number that the study lacks is left out. Raises ValueError
-    if a dataset, a variable or an attribute is missing.
+    Samples, from ``value`` (set, claim) of sets.nc or from the posterior, give the agreeing share
+    and, if they vary, interval and verdict. A claim about a surface or another label that the study
+    lacks is left out. Raises ValueError if a dataset, a variable or an attribute is missing.
     """
     topography = datasets["topography"]
     rows = []
@@ -155,7 +156,7 @@ def _prefix_errors(claim: Claim) -> Iterator[None]:
 def _judge(
     claim: Claim, result: _ClaimResult, sets: xr.Dataset, confidence: float
 ) -> dict[str, Any]:
-    """Return the columns of a claim that follow from numbers."""
+    """Return the columns of a claim that follow from its estimate, samples and limits."""
     value = float(result.estimate["value"])
     samples = _claim_samples(claim, result, sets)
     ends = interval_ends(result.estimate, "value")
@@ -171,7 +172,7 @@ def _judge(
         verdict = accepted.verdict(value, low, high)
     open_end = ""
     if claim.dataset == "edges" and claim.unit == "nm":  # an edge of the band
-        side = result.labels["side"][0][0]
+        ((side,),) = result.labels["side"]
         open_end = find_open_end(side, value, low, high, [result.datasets["edges"], sets])
     return {
         "computed": value,
@@ -189,7 +190,7 @@ def _claim_samples(claim: Claim, result: _ClaimResult, sets: xr.Dataset) -> Floa
     """Return the samples of a claim's value, from sets or from the posterior; empty if none."""
     if claim.samples_from == "posterior":
         posterior = next(iter(result.datasets.values()))
-        labels = {dimension: groups[0][0] for dimension, groups in result.labels.items()}
+        labels = {dimension: label for dimension, ((label,),) in result.labels.items()}
         return np.asarray(posterior[f"sampled_{claim.quantity}"].sel(labels))
     if claim.samples_from != "sets":
         return np.empty(0)

@@ -20,7 +20,7 @@ from hardcontact.paper.claims.verdicts import BY_CONSTRUCTION, EXPERIMENT, ONE_S
 
 #: Surfaces of the paper. A study may lack some.
 SURFACES = ("polished_uncd", "uncd", "ncd", "mcd", "ruby")
-#: The labels of each dimension that claims may select; numbers if there are none.
+#: The labels of each dimension that claims may select. If an entry is empty, labels are numbers.
 LABELS: dict[str, Sequence[str]] = {
     "surface": SURFACES, "group": (MEAN_GROUP, *SURFACES), "left_out": ("none", *SURFACES),
     "contact_model": CONTACT_MODELS, "side": ("short", "long"), "pair": ("published", "fitted"),
@@ -86,11 +86,11 @@ def _matching_label(coordinate: np.ndarray, label: str) -> Any:
 
 
 def select_estimate(estimate: xr.Dataset, labels: SelectedLabels, rule: str) -> xr.Dataset:
-    """Return the single estimate that is judged, by labels from `parse_selection`; one a set.
+    """Return the single estimate that is judged, by labels from `parse_selection`.
 
-    A chain of groups, ``a > b > c``, gives the smallest ratio of values of neighbouring groups. A
-    rule with one limit takes the worst value along other dimensions; with two limits, more than one
-    estimate raises ValueError.
+    With a dimension ``set`` it is an estimate for each set. A chain of groups, ``a > b > c``, gives
+    the smallest ratio of values of neighbouring groups. A rule with one limit takes the worst value
+    along other dimensions; with two limits, more than one estimate raises ValueError.
     """
     for dim, groups in labels.items():
         selected = [estimate.sel({dim: group}) for group in groups]
@@ -110,7 +110,7 @@ def select_estimate(estimate: xr.Dataset, labels: SelectedLabels, rule: str) -> 
 
 
 def _smallest_ratio(groups: Iterable[xr.Dataset], dim: str) -> xr.Dataset:
-    """Return the smallest ratio of a value to a value of the next group; all are positive."""
+    """Return the smallest ratio of a value to a value of the next group; values are positive."""
     ratios = [
         quotient(group.min(dim, skipna=False), next_group.max(dim, skipna=False))
         for group, next_group in pairwise(groups)
@@ -124,8 +124,8 @@ def claim_surfaces(
     """Return the names of the surfaces on which a claim depends.
 
     They are the surfaces that the claim selects, other than by `left_out`, or all of its first
-    dataset if it selects none. The sphere is added unless the claim is about topography alone. A
-    claim that needs no scan depends on no surface.
+    dataset if it selects none, and the sphere, unless the claim is about topography alone. A claim
+    that needs no scan depends on no surface.
     """
     if claim.needs in WITHOUT_SCAN:
         return []

@@ -21,7 +21,7 @@ from hardcontact.paper.claims.selection import LABELS, split_selection
 from hardcontact.paper.claims.verdicts import accepted_range
 from hardcontact.surfaces.metrics import TABLE1_VARIABLES
 
-#: Datasets of claims whose samples are the sets of sets.nc, and the samples of the posterior.
+#: By the source of samples, `samples_from`: the datasets of the claims that may have these samples.
 SAMPLED_DATASETS = {
     "sets": {"topography", "adhesion", "fit", "edges", "paper"}, "posterior": {"posterior"},
 }  # fmt: skip
@@ -34,6 +34,7 @@ class ClaimRow(Keys):
     main: Annotated[str, Matching("([1-9][0-9]*)?", "the rank of a main statement or nothing")]
     section: str
     statement: str
+    #: Words for the quantity; the numbers themselves are in the next columns.
     number: Annotated[str, Matching(r".*\w.*", "words for the quantity that the numbers give")]
     published: NumberCell
     published_low: NumberCell
@@ -57,6 +58,7 @@ class ClaimRow(Keys):
     @model_validator(mode="after")
     def _check_rules_across_columns(self) -> "ClaimRow":
         raise_faults([*self._quantity_faults(), *self._selection_faults()])
+        # Raises ValueError for an unknown rule, or a missing limit.
         accepted_range(self.rule, self.published_low, self.published_high)
         return self
 
@@ -83,7 +85,7 @@ class ClaimRow(Keys):
             if labels is None:
                 accepted = f"one of {', '.join(LABELS)}"
                 yield from _word_faults("select", [dimension], LABELS, accepted)
-            elif labels:
+            elif labels:  # An empty entry of LABELS means that labels are numbers.
                 accepted = f"{dimension}, one of {', '.join(labels)}"
                 yield from _word_faults("select", words, labels, accepted)
             else:

@@ -28,9 +28,10 @@ EXPERIMENT = "model beside experiment"
 VERDICTS = (REPRODUCED, AGREES, UNDECIDED, NOT_REPRODUCED, BY_CONSTRUCTION, UNTESTABLE, EXPERIMENT)
 
 #: Rules with a single limit. They reject the limit itself; the other rules accept their limits.
+#: `order` has the limit of `above`, and says that the number is the smallest ratio in a chain.
 ONE_SIDED = ("below", "above", "order")
-#: Share of all possible sets that must agree with a statement, or disagree: the usual level of
-#: significance.
+#: Share of all possible sets that must agree with a statement, or disagree, and share of the
+#: posterior that must agree: the usual confidence.
 REPRODUCED_SHARE = 0.95
 #: Columns of the claims.csv of a study. `evidence` says where the limits of the paper come from,
 #: `basis` on which scans the computed number rests, `open_end` comes from `find_open_end`.
@@ -57,7 +58,7 @@ class AcceptedRange:
         return (self.low < values) & (values < self.high)
 
     def verdict_of_sets(self, set_values: Floats, confidence: float) -> str:
-        """Judge the numbers (set,) of sets by how many agree; a missing one does not."""
+        """Judge the numbers (set,) of sets by how many agree; a missing number does not."""
         agreeing_sets = self.accepts(set_values).sum()
         needed_sets = sets_needed(len(set_values), confidence)
         if agreeing_sets >= needed_sets:
@@ -72,6 +73,7 @@ class AcceptedRange:
         """
         if self.accepts(samples).mean() >= REPRODUCED_SHARE:
             return REPRODUCED
+        # The interval alone decides about a rejection, so its low end stands for the number.
         return NOT_REPRODUCED if self.verdict(low, low, high) == NOT_REPRODUCED else UNDECIDED
 
     def verdict(self, computed: float, low: float, high: float) -> str:
@@ -116,11 +118,11 @@ def accepted_range(rule: str, published_low: float, published_high: float) -> Ac
 
 
 def sets_needed(set_count: int, confidence: float) -> int:
-    """Return how many sets must agree, so that more than REPRODUCED_SHARE of all possible sets do.
+    """Return the fewest agreeing sets from which one can conclude that a statement is reproduced.
 
-    From this number on the exact binomial interval of the share lies above REPRODUCED_SHARE;
-    Clopper and Pearson, Biometrika 26 (1934) 404. A number above `set_count` says that so few sets
-    decide nothing.
+    More than REPRODUCED_SHARE of all possible sets then agree, at this confidence: the exact
+    binomial interval of the share lies above REPRODUCED_SHARE. Clopper and Pearson, Biometrika 26
+    (1934) 404. A number above `set_count` says that so few sets decide nothing.
     """
     from scipy.stats import binom
 
@@ -137,9 +139,9 @@ def sets_interval(samples: Floats, confidence: float) -> Floats:
 
 
 def stretch_interval(ends: ArrayLike, value: ArrayLike) -> tuple[Floats, Floats]:
-    """Return both ends (...) of intervals (..., 2), stretched to contain their numbers (...).
+    """Return both ends (...) of intervals (..., 2), stretched to contain their values (...).
 
-    Intervals are judged and printed like this. NaN leaves an interval as it is.
+    Intervals are judged and printed like this. A value of NaN leaves its interval as it is.
     """
     low, high = np.moveaxis(np.asarray(ends, dtype=float), -1, 0)
     is_missing = np.isnan(value)
@@ -159,7 +161,7 @@ def interval_with_sets(
 ) -> tuple[float, float]:
     """Return both ends of the interval of a number, stretched to contain it; NaN if none.
 
-    If the numbers (set,) of the sets vary, their spread is the interval, otherwise the number's
+    If the samples (set,) vary, their central share is the interval, otherwise the number has its
     own.
     """
     ends = sets_interval(samples, confidence) if samples_vary(samples) else np.array(interval)
@@ -180,11 +182,12 @@ def read_judged_claims(path: str | Path) -> pd.DataFrame:
 def find_open_end(
     side: str, value: float, low: float, high: float, bands: Sequence[xr.Dataset]
 ) -> str:
-    """Return which end of the interval of an edge (nm) is only a bound, by the cutoffs of bands.
+    """Return which end of the interval of an edge (nm) is only a bound.
 
-    It is ``"high"`` for a short edge, ``"low"`` for a long edge, and ``""`` if no end reaches the
-    last cutoff of any band. An edge beyond the cutoffs counts as the last cutoff, and an interval
-    that is stretched to this edge is open, too.
+    `bands` are the datasets, edges.nc and sets.nc, whose cutoffs may bound the edge. The end is
+    ``"high"`` for a short edge, ``"low"`` for a long edge, and ``""`` if it does not reach the last
+    cutoff of any dataset. A value beyond the last cutoff is a bound, too, so an interval that
+    `stretch_interval` has extended to the value is open.
     """
     end, limit, sign = ("high", high, 1) if side == "short" else ("low", low, -1)
     last_cutoffs = np.array(
