@@ -41,10 +41,10 @@ def user_scan(size=2500.0, pixels=512, rms=17.0, surface="a", **others):
     fields = {
         "dataset": "", "channel": "height", "file_unit": "nm", "kind": "map",
         "peak_to_valley": 6 * rms, "relief": 8 * rms, "tip_radius": None, "is_tip_given": False,
-        "band": ReliableBand(4 * size / pixels, size / 3, "pixels"),
+        "reliable_band": ReliableBand(4 * size / pixels, size / 3, "pixels"),
         "density": density(size, size / pixels, rms), "undefined_count": 0, "notes": (),
         "defects": {},
-        "coarse": HeightMap(np.zeros((2, 2)), size / 2),
+        "coarse_map": HeightMap(np.zeros((2, 2)), size / 2),
     }  # fmt: skip
     return UserScan(
         scan_file=ScanFile(surface, surface, "scans/one.nc", "scans/one.nc"), pixels=pixels,
@@ -77,8 +77,8 @@ BALL = [user_scan(size, rms=1.0, surface="sphere") for size in (2500, 2500, 6000
         ([user_scan(100e3), user_scan(5000)], 250e3, {5000: 1}),
         ([user_scan(100e3), user_scan(300e3)], 250e3, {100000: 1}),
         # Scans without a reliable wavelength come last, and line scans make no contacts.
-        ([user_scan(6000, band=BLIND), user_scan(2500)], 250e3, {2500: 1}),
-        ([user_scan(6000, band=BLIND)], 250e3, {6000: 1}),
+        ([user_scan(6000, reliable_band=BLIND), user_scan(2500)], 250e3, {2500: 1}),
+        ([user_scan(6000, reliable_band=BLIND)], 250e3, {6000: 1}),
         ([user_scan(1e5, 3000, kind="line scan"), user_scan()], 250e3, {2500: 1}),
         # Surfaces are compared on one grid where they have one in common.
         (
@@ -154,7 +154,7 @@ def random_scans(draw):
     rms = draw(random_between(0.1, size / 10))
     shortest = draw(random_between(2, 2 * pixels)) * size / pixels
     band = ReliableBand(shortest, size / 3, "tip")
-    return [user_scan(size, pixels, rms, band=band)] * draw(st.integers(1, 5))
+    return [user_scan(size, pixels, rms, reliable_band=band)] * draw(st.integers(1, 5))
 
 
 def check_refusal(line, scan, settings):
@@ -229,7 +229,7 @@ def test_the_time_of_a_slow_contact_is_the_reason_for_few_contacts():
 
 @pytest.mark.parametrize(("shortest", "transition"), [(120.0, "120 nm"), (2000.0, "1000 nm")])
 def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transition):
-    scan = user_scan(band=ReliableBand(shortest, 833.0, "tip"))
+    scan = user_scan(reliable_band=ReliableBand(shortest, 833.0, "tip"))
     choices = propose_keys([scan], None, contact()).choices
     assert {choice.key: choice.value for choice in choices}["band.short.transition"] == transition
 
@@ -237,7 +237,7 @@ def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transi
 @pytest.mark.parametrize(
     ("scan", "settings", "message_parts"),
     [
-        (user_scan(band=BLIND), contact(), ["reliable at no wavelength: the tip at 3 µm"]),
+        (user_scan(reliable_band=BLIND), contact(), ["reliable at no wavelength: the tip at 3 µm"]),
         # For a relief of 5600 nm, exponentials overflow at ranges below 11.2 nm.
         (user_scan(20000, rms=700.0), contact(), ["11.2 nm, not the usual 5.6 nm"]),
         # erf(1000 nm / sqrt(2 R rho))^2 of the smooth sphere's force lie in a window of 2 um.

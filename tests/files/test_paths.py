@@ -16,7 +16,7 @@ def test_only_scans_of_the_sphere_have_its_shape():
 @pytest.mark.parametrize(
     ("surface", "function", "scans"),
     [
-        ("uncd", Selection.shared_master_scan, [2, 5, 2]),  # in turn; below, a scan for each
+        ("uncd", Selection.master_scan_in_turn, [2, 5, 2]),  # in turn; below, a scan for each
         ("uncd", Selection.separate_master_scan, [2, 5, 6, 7, 8]),
         ("mcd", Selection.separate_master_scan, [2, 5, 2]),
     ],

@@ -12,7 +12,7 @@ from scan_files import random_heights, write_scan
 from studies import FILES_DIGEST, ROWS, check_configuration, paper_configuration, table_of_own_scans
 
 from hardcontact.base.dataset import write_dataset
-from hardcontact.config.configuration import reading_keys
+from hardcontact.config.configuration import reading_arguments
 from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
@@ -172,7 +172,7 @@ def test_a_file_is_read_only_if_the_study_has_not_stored_it_as_it_is(tmp_path, m
     paths = {name: str(write_scan(tmp_path / f"{name}.nc")) for name in "ab"}
     row = Row("glass", 1, paths["a"], "")
     config = paper_configuration()
-    stored_path = store(row, reading_keys(config) | {"dataset": ""}, np.zeros((16, 16)))
+    stored_path = store(row, reading_arguments(config) | {"dataset": ""}, np.zeros((16, 16)))
     if change == "file":
         write_scan(tmp_path / "a.nc", 2 * random_heights())
     elif change == "keys":
@@ -191,7 +191,7 @@ def test_a_missing_file_is_refused_though_it_was_stored(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     path = write_scan(tmp_path / "a.nc")
     row = Row("glass", 1, str(path), "")
-    store(row, reading_keys(paper_configuration()) | {"dataset": ""}, np.zeros((16, 16)))
+    store(row, reading_arguments(paper_configuration()) | {"dataset": ""}, np.zeros((16, 16)))
     path.unlink()
     message = refusal(stored_scan, paper_configuration(), row)
     assert_says(message, "a.nc: expected a scan, found no such file")

@@ -20,7 +20,7 @@ from hardcontact.config.user_files import read_yaml
 from hardcontact.files.paths import StudyPaths
 from hardcontact.run import study_inputs
 
-STUDY = study_inputs.checked_configuration(workflow, config)
+STUDY = study_inputs.complete_configuration(workflow, config)
 RESULTS = StudyPaths(STUDY)
 SAMPLING = STUDY["intervals"] | {"seed": STUDY["seed"]}
 IS_PAPER_STUDY = is_paper_study(STUDY)

@@ -35,8 +35,8 @@ PRIOR_SHARE = 0.2
 JOB_EXCEPTIONS = ("CalledProcessError", "RuleException")
 #: The end of a message that repeats the failure of a job.
 INCOMPLETE_MESSAGE = "At least one job did not complete successfully."
-#: Begins of messages of the executor for SLURM: guesses of an account, failures of sacct,
-#: and an error that the line of the job repeats.
+#: Beginnings of messages of the executor for SLURM that are not shown: guesses of an account,
+#: failures of sacct, and an error that the line of the job repeats.
 EXECUTOR_MESSAGES = (
     "No SLURM account given",
     "No account was given",
@@ -109,6 +109,7 @@ class LogHandler(LogHandlerBase):
 
     def _show_failure(self, fields: Mapping[str, Any]) -> None:
         """Show a job that failed, unless the study has shown why the cluster ended it."""
+        # On a cluster the job has a message, and a job of a group is indented.
         if not fields["rule_msg"] and not fields["indent"]:
             logs = ", ".join(filter(os.path.isfile, fields["log"]))
             see = f": see {logs}" if logs else ""

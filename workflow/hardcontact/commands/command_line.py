@@ -25,7 +25,7 @@ def main() -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         code = 0
     except ValueError as error:
-        for line in dict.fromkeys(str(error).splitlines()):
+        for line in str(error).splitlines():
             print(f"error: {line}", file=sys.stderr)
         code = 1
     except KeyboardInterrupt:
@@ -49,7 +49,7 @@ def _run(words: Sequence[str]) -> tuple[str, int]:
             from hardcontact.commands.compare import compare, compare_arguments
 
             return compare(compare_arguments(words[1:])), 0
-        case _:
+        case _:  # `new`; its parser also answers --help, --version and an unknown command.
             from hardcontact.commands.new import new_study
             from hardcontact.commands.request import new_arguments
 

@@ -42,7 +42,7 @@ def compare_arguments(arguments: Sequence[str]) -> Namespace:
 def compare(arguments: Namespace) -> str:
     """Return the comparison as text, and write the page; a page named - is returned instead."""
     paths = [_answer_path(path) for path in (arguments.first, arguments.second)]
-    inputs = dict.fromkeys(paths, "those compared")
+    inputs = {path: "those compared" for path in paths}
     faults = [*output_faults("html", arguments.html, inputs, arguments.overwrite)]
     answers = []
     for path in paths:
@@ -53,20 +53,24 @@ def compare(arguments: Namespace) -> str:
     if names[0] == names[1]:
         names = [arguments.first, arguments.second]
     first_sets, second_sets = (_read_sets(path) for path in paths)
-    facts = {"studies": names, "digits": EQUAL_DIGITS, "pairing": pairing(first_sets, second_sets)}
-    facts["inputs"], numbers = compare_answers(*answers)
-    if facts["pairing"] == "paired":
+    changed_inputs, numbers = compare_answers(*answers)
+    pairing_of_sets = pairing(first_sets, second_sets)
+    if pairing_of_sets == "paired":
         numbers = add_paired_intervals(numbers, first_sets, second_sets)
-        facts["confidence"] = first_sets["sets"].attrs["confidence"]
-    facts["numbers"] = sorted(numbers, key=lambda number: number.sort_key)
+    facts = {
+        "studies": names, "inputs": changed_inputs, "digits": EQUAL_DIGITS,
+        "pairing": pairing_of_sets,
+        "confidence": first_sets["sets"].attrs["confidence"] if first_sets else None,
+        "numbers": sorted(numbers, key=lambda number: number.sort_key),
+    }  # fmt: skip
     if arguments.html is not None:
         page = render_document("compare.html", Frame(version("hardcontact")), "comparison", **facts)
         if arguments.html == "-":
             return page
         write_output(arguments.html, page)
-    return "\n".join(
-        align_cells([line.split("|") for line in render_lines("compare.txt", **facts)])
-    )
+    # The template puts "|" between the cells of a row.
+    rows = [line.split("|") for line in render_lines("compare.txt", **facts)]
+    return "\n".join(align_cells(rows))
 
 
 def _answer_path(path: str) -> str:
@@ -80,10 +84,11 @@ def _read_answer(path: str) -> dict[str, Any]:
         problem = UNFINISHED if Path(path).parent.is_dir() else "no such folder"
         raise ValueError(f"{path}: expected the answer of a finished study, found {problem}")
     try:
-        answer: dict[str, Any] = json.loads(Path(path).read_text("utf-8"))
-        answer["kind"], answer["quantities"]
-    except (KeyError, TypeError, ValueError) as error:
-        raise ValueError(f"{path}: expected the answer of a study, found another file") from error
+        answer: Any = json.loads(Path(path).read_text("utf-8"))
+    except ValueError:
+        answer = None
+    if not isinstance(answer, dict) or not {"kind", "quantities"} <= answer.keys():
+        raise ValueError(f"{path}: expected the answer of a study, found another file")
     return answer
 
 

@@ -27,6 +27,7 @@ def all_search_sizes(
     """Return the search size (nm) of each substrate, within which the sphere finds its summits."""
     sizes: dict[str, float] = {}
     sphere_densities = [scan.density for scan in scans if scan.scan_file.surface == sphere]
+    # In each bin the roughest scan of the sphere; zero where no scan has waves.
     sphere_density = np.fmax.reduce([np.zeros_like(BIN_CENTRES), *sphere_densities])
     for scan in scans:
         surface = scan.scan_file.surface
@@ -45,8 +46,8 @@ def select_contact_scans(
     """Return the scans that contacts are made on, and the reasons in words.
 
     The scans of a surface have one grid: of those that resolve the interaction radius the smallest
-    that is large enough for every search size, or else the largest. Surfaces are thus compared on
-    one size if possible.
+    that is large enough for every search size, or else the largest. If no scan resolves the radius,
+    the pixels are the finest. Surfaces are thus compared on one size if possible.
     """
     groups = _group_by_grid(scans)
     sphere_groups = groups.pop(sphere) if sphere is not None else []
@@ -111,7 +112,8 @@ def _best_group(
     else:
         group = min(usable, key=lambda group: (group[0].pixel_size, -len(group), -group[0].size))
         reason = "they have the finest pixels"
-    return group, reason if len(resolved or usable) > 1 else "no others can be used"
+    is_only_choice = len(resolved or usable) == 1
+    return group, ("no others can be used" if is_only_choice else reason)
 
 
 def _sphere_group(groups: list[Group], substrates: Sequence[UserScan], radius: float) -> Group:

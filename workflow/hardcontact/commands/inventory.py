@@ -27,13 +27,16 @@ FILLING = DEFAULT_OPTIONS.undefined_pixels
 
 @dataclass(frozen=True, eq=False)  # A scan equals no other one.
 class UserScan:
-    """A scan of the user: what its file states, and what is measured on it; lengths are in nm."""
+    """A scan of the user: what its file states, and what is measured on it.
+
+    Lengths are in nm. Maps are square, because reading keeps their central square.
+    """
 
     scan_file: ScanFile
     dataset: str  #: Name of the scan in a container; empty for any other file.
     channel: str
     file_unit: str
-    kind: str
+    kind: str  #: ``"map"`` or ``"line scan"``.
     pixels: int  #: Pixels per row of a map, or points of a line scan.
     pixel_size: float
     rms_height: float  #: Of the levelled scan, without the shape of a sphere.
@@ -41,12 +44,12 @@ class UserScan:
     relief: float  #: The largest difference in height, levelled or not.
     tip_radius: float | None
     is_tip_given: bool  #: Whether the user gave the radius, because the file states none.
-    band: ReliableBand
+    reliable_band: ReliableBand
     density: Floats  #: C_iso (bins,) in nm⁴
     undefined_count: int  #: Number of undefined pixels, which were filled.
     notes: tuple[str, ...]  #: What was done in reading.
-    defects: Mapping[str, Mapping[str, float]]  #: From `scan_defects`.
-    coarse: HeightMap  #: The levelled scan on few pixels, to find scans of the same area.
+    defects: Mapping[str, Mapping[str, float]]  #: Numbers by defect: see `scans.defects`.
+    coarse_map: HeightMap  #: The levelled scan on few pixels, to find scans of the same area.
 
     @property
     def undefined_share(self) -> float:
@@ -66,7 +69,7 @@ class UserScan:
     @property
     def has_reliable_wavelengths(self) -> bool:
         """Whether the reliable band is not empty."""
-        return self.band.shortest <= self.band.longest
+        return self.reliable_band.shortest <= self.reliable_band.longest
 
     @property
     def name(self) -> str:
@@ -85,8 +88,9 @@ def read_inventory(
     for scan_file in scan_files:
         file_scans, faults = _read_file(scan_file, options, channel)
         scans += file_scans
-        # A faulty scan stops nothing if the user named its container or folder, not the scan.
-        (unreadable if file_scans or scan_file.is_in_folder else problems).extend(faults)
+        # A faulty scan stops nothing beside sound ones of its container, or in a named folder.
+        lines = unreadable if file_scans or scan_file.is_in_folder else problems
+        lines += faults
     if not scans and not problems:
         problems += unreadable
     problems += _copy_faults(scans)
@@ -99,19 +103,19 @@ def _read_file(
 ) -> tuple[list[UserScan], list[str]]:
     """Return the usable scans of a file, and a line for each fault of the others."""
     try:
-        datasets = list_scans(scan_file.file)
+        datasets = list_scans(scan_file.path)
     except ValueError as error:
         return [], str(error).splitlines()
     user_scans = []
     faults = []
     for dataset in datasets:
         try:
-            scan = options.read_scan(scan_file.file, dataset or channel)
+            scan = options.read_scan(scan_file.path, dataset or channel)
             user_scans.append(_measure_scan(scan_file, scan, options))
         except ValueError as error:
-            file = f"{scan_file.file}: "
+            prefix = f"{scan_file.path}: "
             faults += [
-                f"{file}{dataset}: {line.removeprefix(file)}" if dataset else line
+                f"{prefix}{dataset}: {line.removeprefix(prefix)}" if dataset else line
                 for line in str(error).splitlines()
             ]
     return user_scans, faults
@@ -135,7 +139,7 @@ def _leave_out_repetitions(scans: Sequence[UserScan]) -> tuple[list[UserScan], l
     kept_scans: list[UserScan] = []
     lines: list[str] = []
     for surface_scans in scans_by_surface(scans).values():
-        maps = [scan.coarse for scan in surface_scans]
+        maps = [scan.coarse_map for scan in surface_scans]
         notes = repetition_notes(maps, [scan.name for scan in surface_scans])
         kept_scans += [scan for index, scan in enumerate(surface_scans) if index not in notes]
         lines += notes.values()
@@ -154,7 +158,7 @@ def _measure_scan(scan_file: ScanFile, scan: HeightMap, options: ReadingOptions)
     """Return a scan of the user, measured; raise ValueError if its height is constant."""
     relief = np.ptp(scan.heights)
     if relief == 0:
-        raise ValueError(f"{scan_file.file}: expected a rough surface, found constant height")
+        raise ValueError(f"{scan_file.path}: expected a rough surface, found constant height")
     flat = level_and_list_defects(scan, scan_file.sphere_radius, options.levelling)
     peak_to_valley = float(np.ptp(flat.heights))
     density = isotropic_psd(flat)
@@ -172,10 +176,10 @@ def _measure_scan(scan_file: ScanFile, scan: HeightMap, options: ReadingOptions)
         relief=max(float(relief), peak_to_valley),
         tip_radius=tip_radius,
         is_tip_given=tip_radius is not scan.tip_radius,
-        band=reliable_band(flat, tip_radius, density),
+        reliable_band=reliable_band(flat, tip_radius, density),
         density=density,
         undefined_count=scan.undefined_count,
         notes=flat.notes,
         defects=flat.defects,
-        coarse=coarse_map(flat),
+        coarse_map=coarse_map(flat),
     )

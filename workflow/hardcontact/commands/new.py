@@ -57,7 +57,8 @@ def new_study(arguments: Namespace) -> str:
     if all_faults:
         raise_faults([*all_faults, *unit_questions(quantities)])
     rows = surface_rows(scans, proposal.contact_scans, tip_text)
-    table = "".join("\t".join(cells) + "\n" for cells in (rows[0], *(row.values() for row in rows)))
+    table_rows = [[*rows[0].keys()], *([*row.values()] for row in rows)]
+    table = "".join("\t".join(cells) + "\n" for cells in table_rows)
     report = [
         *report_lines(scans, left_out, proposal, choices),
         *_write_study(arguments.name, table, choices, proposal.quick),
@@ -86,7 +87,7 @@ def _cell_faults(
 ) -> list[str]:
     """Return the faults of the cells of the table of surfaces and of measured forces."""
     faults: list[str] = []
-    # Labels are checked once, elsewhere. The id replaces them, so that no row repeats their faults.
+    # `label_faults` checks labels once; the id in place of the label keeps rows from repeating it.
     for row in rows:
         with collect_faults(faults):
             validate(SurfaceRow, {**row, "label": row["surface"]}, f"{row['path']!r}: ")
@@ -144,8 +145,8 @@ def _choices_without_scans(
     given_quantities = [option for option in CONTACT_QUANTITIES if quantities[option].is_given]
     if given_quantities:
         yield Choice("given_quantities", given_quantities, "others like the paper's are assumed")
-    sphere = (SPHERE, "its scans") if arguments.sphere else (SMOOTH_SPHERE, "no scans of it")
-    yield Choice("sphere.surface", *sphere)
+    sphere_reason = "its scans" if arguments.sphere else "no scans of it"
+    yield Choice("sphere.surface", SPHERE if arguments.sphere else SMOOTH_SPHERE, sphere_reason)
     for option, (key, meaning) in CONTACT_QUANTITIES.items():
         if option != "range":  # which the scans may not permit
             quantity = quantities[option]
@@ -163,7 +164,7 @@ def surface_rows(
             "label": scan.scan_file.label,
             "scan": str(number),
             "source": "measured",
-            "path": scan.scan_file.path,
+            "path": scan.scan_file.table_path,
             "dataset": scan.dataset,
             "use": CONTACT_USE if scan in contact_scans else SPECTRUM_USE,
             "tip_radius": tip_radius if scan.is_tip_given else "",

@@ -45,7 +45,8 @@ def _scan_table(scans: Sequence[UserScan], contact_scans: Sequence[UserScan]) ->
     notes = []
     for number, scan in enumerate(scans, 1):
         is_map = scan.kind == "map"
-        band_ends = [format_length(end) for end in (scan.band.shortest, scan.band.longest)]
+        band = scan.reliable_band
+        band_ends = [format_length(end) for end in (band.shortest, band.longest)]
         rows.append(
             {
                 "": str(number),
@@ -64,7 +65,8 @@ def _scan_table(scans: Sequence[UserScan], contact_scans: Sequence[UserScan]) ->
             }
         )
         notes += [f"{number}: {note}" for note in split_notes(scan.notes)[0]]
-        if scan.band.limited_by != "pixels":
-            limit = LIMIT_NAMES[scan.band.limited_by]
+        if band.limited_by != "pixels":
+            limit = LIMIT_NAMES[band.limited_by]
             notes.append(f"{number}: shorter wavelengths are not reliable: {limit}")
-    return "\n".join([*align_cells([[*rows[0]], *([*row.values()] for row in rows)]), *notes])
+    cells = [[*rows[0].keys()], *([*row.values()] for row in rows)]
+    return "\n".join([*align_cells(cells), *notes])

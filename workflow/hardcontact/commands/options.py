@@ -16,7 +16,7 @@ from hardcontact.surfaces.levelling import LEVELLING_METHODS
 
 
 class CommandLine(ArgumentParser):
-    """A parser without short options, which suggests the right word for a wrong one."""
+    """A parser without abbreviated options, which suggests a known word for an unknown one."""
 
     def __init__(self, command: str, description: str) -> None:
         """Take the command, and the text with which its help begins."""
@@ -50,7 +50,7 @@ class QuantityOption(NamedTuple):
     text: str  #: As written, with its unit.
     number: float  #: In `unit`.
     unit: str  #: Unit of the key in the study.
-    is_given: bool  #: Whether the user gave it.
+    is_given: bool  #: Whether the user gave it, not the paper.
 
 
 def add_shared_options(parser: ArgumentParser) -> None:
@@ -84,7 +84,7 @@ def parse_quantities(arguments: Namespace) -> tuple[dict[str, QuantityOption], l
     """
     types = {name: quantity_type(key) for name, (key, _) in CONTACT_QUANTITIES.items()}
     types |= {"tip": TIP_RADIUS, "size": quantity_type("scan.map_size")}
-    types["modulus"] = types["hardness"]
+    types["modulus"] = types["hardness"]  # It has the same unit and bounds.
     quantities = {}
     faults: list[str] = []
     with collect_faults(faults, "--unit: "):
@@ -116,11 +116,11 @@ def reading_options(
 ) -> ReadingOptions:
     """Return the options of the command line that say how scans are read."""
     return ReadingOptions(
-        quantities["tip"].number if "tip" in quantities else None,
-        arguments.unit,
-        quantities["size"].number if "size" in quantities else NONE,
-        arguments.levelling,
-        arguments.mask,
+        tip_radius=quantities["tip"].number if "tip" in quantities else None,
+        unit=arguments.unit,
+        map_size=quantities["size"].number if "size" in quantities else NONE,
+        levelling=arguments.levelling,
+        mask=arguments.mask,
     )
 
 

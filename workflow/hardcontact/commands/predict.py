@@ -117,7 +117,7 @@ class QuantityStatus(StrEnum):
 
 
 def compute_numbers(inputs: Inputs, arguments: Namespace) -> dict[str, Number]:
-    """Return the numbers of a prediction by name: quantities, forces, modulus."""
+    """Return the numbers of a prediction by name, with the quantities of the contact."""
     quantities, contact, spectrum, _ = inputs
     numbers = {name: _quantity_number(name, quantities[name]) for name in CONTACT_QUANTITIES}
     tolerance, confidence = PAPER_STUDY.band.tolerance, PAPER_STUDY.intervals.confidence
@@ -168,6 +168,6 @@ def _report(inputs: Inputs, numbers: Mapping[str, Number], arguments: Namespace)
         meanings={name: meaning for name, (_, meaning) in CONTACT_QUANTITIES.items()},
         change_that_matters=MAX_NEGLIGIBLE_CHANGE,
         confidence=PAPER_STUDY.intervals.confidence,
-        finer=WIDE_PIXEL_WIDTH,
+        wide_pixel_width=WIDE_PIXEL_WIDTH,
     )
     return report.rstrip()

@@ -162,7 +162,7 @@ def _effort_choices(
 
 
 def _master_count(substrates: Sequence[UserScan], effort: Effort, is_slow: bool) -> int:
-    """Return the number of masters on each side; at full effort scans make equally many."""
+    """Return the number of masters on each side; at full effort few scans make equally many."""
     masters = effort.slow_master_count if is_slow else effort.master_count
     scan_counts = Counter(scan.scan_file.surface for scan in substrates)
     most_scans = max(scan_counts.values())
@@ -220,7 +220,8 @@ def _transition_choices(
     limits = [
         (TRANSITION_PIXELS * scan.pixel_size, "four pixels") for scan in (*substrates, *short_scans)
     ]
-    limits += [(scan.band.shortest, LIMIT_NAMES[scan.band.limited_by]) for scan in short_scans]
+    bands = [scan.reliable_band for scan in short_scans]
+    limits += [(band.shortest, LIMIT_NAMES[band.limited_by]) for band in bands]
     limit, reason = max(limits)
     longest = float(f"{TRANSITION_SHARE * min(scan.size for scan in long_scans):.3g}")
     shortest = min(float(f"{limit:.3g}"), longest)
@@ -238,15 +239,13 @@ def _decisive_scans(
     """Return the scans whose body is the rougher one at an end of their band; all if none is."""
     bodies = [(scan, sphere_scans) for scan in substrates]
     bodies += [(scan, substrates) for scan in sphere_scans]
-    rough_scans = [
-        scan for scan, partners in bodies if _is_rougher(scan, partners, getattr(scan.band, end))
-    ]
+    rough_scans = [scan for scan, partners in bodies if _is_rougher(scan, partners, end)]
     return rough_scans or [*substrates, *sphere_scans]
 
 
-def _is_rougher(scan: UserScan, partners: Sequence[UserScan], wavelength: float) -> bool:
-    """Return False if all scans of the other body have more power at a wavelength (nm)."""
-    index = nearest_bin(wavelength)
+def _is_rougher(scan: UserScan, partners: Sequence[UserScan], end: str) -> bool:
+    """Return False if all scans of the other body have more power at an end of this scan's band."""
+    index = nearest_bin(getattr(scan.reliable_band, end))
     is_lower = [partner.density[index] > scan.density[index] for partner in partners]
     return not (partners and all(is_lower))
 
@@ -262,6 +261,7 @@ def _adhesion_ranges(rho: float, shortest_range: float, count: int) -> list[str]
     shorter_count = min(count // 2, int(math.log(rho / shortest) / math.log(MIN_RANGE_RATIO)))
     shorter = np.geomspace(shortest, rho, shorter_count + 1)[:-1]
     longer = np.geomspace(rho, longest, count - shorter_count)[1:]
+    # The shortest is not rounded, because scans may not permit a shorter one.
     rounded = {float(f"{length:.2g}") for length in (*shorter[1:], *longer)}
     ranges = {*shorter[:1], rho, *(length for length in rounded if length > shortest)}
     return [_format_nm(length) for length in sorted(ranges)]

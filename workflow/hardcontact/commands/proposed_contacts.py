@@ -38,7 +38,7 @@ SECONDS_A_CELL = 1e-8
 
 
 class PermittedContact(NamedTuple):
-    """A contact whose window and range of adhesion scans permit, with reasons in words."""
+    """A contact with a window and a range of adhesion for some scans, with reasons in words."""
 
     contact: Contact
     shortest_range: float  #: The shortest range (nm) that the scans permit.
@@ -101,23 +101,24 @@ def _shortest_range(
     return max(permitted_ranges)
 
 
-def master_scans_per_row(substrates: Sequence[UserScan], window: float, pixels: int) -> int:
+def master_scans_per_row(substrates: Sequence[UserScan], window: float, max_pixels: int) -> int:
     """Return the number of mirrored scans per row of long-edge masters: key band.long.tiles.
 
-    If pixels suffice, the master is eight scans wide, as in the paper, and wider than the window
-    (nm).
+    If `max_pixels` per row suffice, the master is eight scans wide, as in the paper, and wider than
+    the window (nm).
     """
     size = min(scan.size for scan in substrates)
     master_size = max(MASTER_OVER_SCAN * size, MASTER_OVER_WINDOW * window)
+    # The margin keeps rounding from adding a scan.
     scans_per_row = math.ceil(master_size / (2 * size) * (1 - 1e-9))
-    return max(1, min(scans_per_row, pixels // max(2 * scan.pixels for scan in substrates)))
+    return max(1, min(scans_per_row, max_pixels // max(2 * scan.pixels for scan in substrates)))
 
 
 def short_edge_pixels(scan: UserScan, contact: Contact, max_pixels: int) -> int:
     """Return the pixels per row of a scan's short-edge masters: as many as time permits."""
     pixels = 2 * scan.pixels
     while 2 * pixels <= max_pixels:
-        pixel_size = scan.size / pixels
+        pixel_size = scan.size / pixels  # of 2 * pixels on a master, which is two scans wide
         seconds = _contact_seconds(scan, contact, pixel_size)
         if (
             pixel_size < FINEST_PIXEL_SIZE

@@ -90,8 +90,8 @@ class ScanFile(NamedTuple):
 
     surface: str  #: Id of the surface.
     label: str  #: Name of the surface in figures.
-    file: str  #: Path from the working directory.
-    path: str  #: Path from the top folder, for the table of surfaces.
+    path: str  #: Path from the working directory.
+    table_path: str  #: Path from the top folder, for the table of surfaces.
     sphere_radius: float | None = None  #: In nm, of scans of the sphere.
     is_in_folder: bool = False  #: Whether the user named its folder, which may hold other files.
 
@@ -106,17 +106,17 @@ def label_faults(option: str, label: str) -> Iterator[str]:
 
 def list_scan_files(arguments: Namespace, radius: float) -> tuple[list[ScanFile], list[str]]:
     """Return the files of all surfaces, the sphere's last, and a line for each fault."""
-    surfaces = [(arguments.name, arguments.files)] if arguments.files else []
-    surfaces += [(label, files) for label, *files in arguments.surface]
-    faults = [] if surfaces else ["FILE: expected files of scans, found none"]
+    labelled_files = [(arguments.name, arguments.files)] if arguments.files else []
+    labelled_files += [(label, files) for label, *files in arguments.surface]
+    faults = [] if labelled_files else ["FILE: expected files of scans, found none"]
     for label, *files in arguments.surface:
         faults += label_faults("--surface", label)
         if not files:
             faults.append(f"--surface {label}: expected files of scans, found none")
-    surfaces += [(SPHERE, arguments.sphere)] if arguments.sphere else []
+    labelled_files += [(SPHERE, arguments.sphere)] if arguments.sphere else []
     scan_files: list[ScanFile] = []
     labels: dict[str, str] = {}
-    for label, files in surfaces:
+    for label, files in labelled_files:
         surface = surface_id(label)
         if surface in labels:
             faults.append(
@@ -124,16 +124,16 @@ def list_scan_files(arguments: Namespace, radius: float) -> tuple[list[ScanFile]
                 f"letters and digits, found also {label}"
             )
         labels.setdefault(surface, label)
+        # Another surface may have the label of the sphere, too.
         sphere_radius = radius if files is arguments.sphere else None
         for file in files:
             file_paths = _files_in(file)
             if not file_paths:
                 faults.append(f"{file}: expected a folder with files of scans, found none")
-            scan_files += [
-                ScanFile(surface, label, path, path_from_root(path), sphere_radius, path != file)
-                for path in file_paths
-            ]
-    counts = Counter(scan_file.path for scan_file in scan_files)
+            for path in file_paths:
+                scan_file = ScanFile(surface, label, path, path_from_root(path), sphere_radius)
+                scan_files.append(scan_file._replace(is_in_folder=path != file))
+    counts = Counter(scan_file.table_path for scan_file in scan_files)
     faults += [
         f"{path}: expected each file once, found it {count} times"
         for path, count in counts.items()

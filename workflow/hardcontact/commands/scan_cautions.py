@@ -28,9 +28,9 @@ def refuse_unreliable(scans: Sequence[UserScan]) -> None:
     """Refuse surfaces with too few reliable wavelengths, and name the defects of their scans."""
     faults = []
     for surface, surface_scans in scans_by_surface(scans).items():
-        count = int(np.any([scan.band.bins for scan in surface_scans], axis=0).sum())
+        count = int(np.any([scan.reliable_band.bins for scan in surface_scans], axis=0).sum())
         if count < MIN_BINS:
-            bands = "; ".join(f"{scan.name} {scan.band}" for scan in surface_scans)
+            bands = "; ".join(f"{scan.name} {scan.reliable_band}" for scan in surface_scans)
             message = too_few_bins_message("scans", count, bands)
             faults.append(f"{surface}: {message}; add one of another size")
             faults += [
@@ -53,7 +53,7 @@ def scan_cautions(
     yield from _contact_cautions(substrates, usual_range, permitted, search_sizes)
     for scan in substrates:
         if not scan.has_reliable_wavelengths:
-            yield f"{scan.name}: reliable {scan.band}"
+            yield f"{scan.name}: reliable {scan.reliable_band}"
     yield from _contradiction_cautions(scans)
     yield from _filling_cautions(scans)
 
@@ -146,7 +146,7 @@ def _contradiction_cautions(scans: Sequence[UserScan]) -> Iterator[str]:
     for surface_scans in scans_by_surface(scans).values():
         contradictions = find_contradictions(
             np.array([scan.density for scan in surface_scans]),
-            [scan.band.bins for scan in surface_scans],
+            [scan.reliable_band.bins for scan in surface_scans],
             [scan.kind for scan in surface_scans],
             [scan.size for scan in surface_scans],
         )

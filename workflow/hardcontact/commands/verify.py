@@ -20,6 +20,7 @@ def verify_arguments(arguments: Sequence[str]) -> Namespace:
 def verify(arguments: Namespace) -> tuple[str, int]:
     """Return the files that do not match their records, in words, and the exit code."""
     folder = results_folder(arguments.folder).resolve()
+    # A study is at least /FOLDER/results/STUDY, which has four parts.
     if not folder.is_dir() or len(folder.parts) < 4:
         raise ValueError(f"{arguments.folder}: expected the results of a study, found none")
     # Records name files from the folder that has `results`.

@@ -76,7 +76,7 @@ def unit_question(quantity: str, number: float) -> str:
 def check_read_arguments(
     files: Sequence[object], lengths: Mapping[str, object], **texts: object
 ) -> None:
-    """Refuse arguments that are not paths, lengths or texts; a length may be None or NONE."""
+    """Refuse arguments that are no paths, lengths (or None, NONE) or texts, or an unknown mask."""
     faults = [
         f"files: expected a path in each argument, found {' '.join(shorten(file).split())}"
         for file in files
@@ -138,16 +138,15 @@ def check_contact(surface: HeightMap, contact: Contact, ranges: Sequence[float])
             f"scan: expected a pixel_size of {low:g} to {high:g} nm, found "
             f"{surface.pixel_size:g} nm: is the unit right?"
         )
-    shortest = min(ranges)
+    shortest_contact = replace(contact, rho=min(ranges))
     count = contact.contacts_per_row
-    check_positive(window=contact.window, contacts_per_row=count, rho=shortest)
+    check_positive(window=contact.window, contacts_per_row=count, rho=shortest_contact.rho)
     if count != int(count):
         raise ValueError(f"contacts_per_row: expected a whole number, found {count:g}")
     # Limits are stated for a scan, which is half as large as its periodic map.
     relief = float(np.ptp(surface.heights))
     extent = Extent(surface.pixels // 2, surface.pixel_size, surface.size / 2, relief)
-    names = ("preload", "contacts_per_row", "rho")
-    named_contact = NamedContact(replace(contact, rho=shortest), *names, prefix="")
+    named_contact = NamedContact(shortest_contact, "preload", "contacts_per_row", "rho", prefix="")
     raise_faults(islice(contact_faults(named_contact, "the map", extent), 1))
 
 

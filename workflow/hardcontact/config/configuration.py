@@ -16,7 +16,7 @@ from hardcontact.config.key_types import Quantity
 from hardcontact.config.keys import PAPER, QUICK_SUFFIX, SMOOTH_SPHERE, Study
 from hardcontact.contact.contact import Contact
 
-#: By the quantities of a contact: their keys, and their names in print.
+#: The key, and the name in print, of each quantity of a contact.
 CONTACT_QUANTITIES = {
     "radius": ("sphere.radius", "radius of the sphere"),
     "hardness": ("contact.hardness", "hardness"),
@@ -83,10 +83,9 @@ def is_paper_study(study: Mapping[str, Any]) -> bool:
     return bool(study["published"] == PAPER)
 
 
-def combines_bodies(study: Mapping[str, Any]) -> bool:
-    """Return whether a study adds the roughness of a scanned sphere to the user's surfaces."""
-    sphere = study["sphere"]["surface"]
-    return bool(not is_paper_study(study) and sphere != SMOOTH_SPHERE)
+def has_rough_sphere(study: Mapping[str, Any]) -> bool:
+    """Return whether the sphere that touches the user's surfaces is rough."""
+    return bool(not is_paper_study(study) and study["sphere"]["surface"] != SMOOTH_SPHERE)
 
 
 def set_keys(config: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
@@ -108,17 +107,17 @@ def contact_arguments(study: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def study_contact(study: Mapping[str, Any]) -> Contact:
-    """Return the contact of the study."""
+    """Return the contact of the study; its work is NaN, because forces are computed at 1 J/m²."""
     return Contact(**contact_arguments(study), rho=study["adhesion"]["range"])
 
 
-def reading_keys(study: Mapping[str, Any]) -> dict[str, Any]:
+def reading_arguments(study: Mapping[str, Any]) -> dict[str, Any]:
     """Return the arguments of `read_scan` that all scans of a study share."""
     return {name: study["scan"][name] for name in ("undefined_pixels", "unit", "map_size", "mask")}
 
 
 def master_keys(study: Mapping[str, Any], section: str, side: str) -> dict[str, str]:
-    """Return the keys of the masters' settings in a section, or in `band` where it has none."""
+    """Return the key of each setting of masters: in a section, or else in `band`."""
     return {
         name: f"{section_name}.{side}.{name}"
         for section_name in ("band", section)
@@ -127,7 +126,7 @@ def master_keys(study: Mapping[str, Any], section: str, side: str) -> dict[str, 
 
 
 def contact_words(study: Mapping[str, Any]) -> dict[str, str]:
-    """Return the surface of the sphere and the CONTACT_QUANTITIES, as printed."""
+    """Return the surface of the sphere, and CONTACT_QUANTITIES by their names, all as printed."""
     words = {"sphere": str(study["sphere"]["surface"])}
     for key, name in CONTACT_QUANTITIES.values():
         words[name] = format_exact(get_key(study, key), quantity_type(key).unit)
@@ -135,10 +134,10 @@ def contact_words(study: Mapping[str, Any]) -> dict[str, str]:
 
 
 def assumed_quantities(study: Mapping[str, Any]) -> list[str]:
-    """Return the names of the CONTACT_QUANTITIES that the user did not give."""
+    """Return the names of CONTACT_QUANTITIES with the paper's value that the user did not give."""
     paper = Study().model_dump(warnings=False)
     return [
         name
-        for option, (key, name) in CONTACT_QUANTITIES.items()
-        if option not in study["given_quantities"] and get_key(study, key) == get_key(paper, key)
+        for quantity, (key, name) in CONTACT_QUANTITIES.items()
+        if quantity not in study["given_quantities"] and get_key(study, key) == get_key(paper, key)
     ]

@@ -14,7 +14,7 @@ from typing import Any, TypeVar
 from pydantic import BaseModel, ValidationError
 from pydantic.fields import FieldInfo
 
-#: The accepted values in words, for types of pydantic's errors that it explains to programmers.
+#: The accepted values in words, for types of errors that pydantic explains to programmers.
 EXPECTED_VALUES = {
     "bool_type": "true or false",
     "dict_type": "a mapping",
@@ -62,8 +62,8 @@ def collect_faults(faults: list[str], prefix: str = "") -> Iterator[None]:
 
 
 def spelling_question(name: str, known_names: Iterable[str]) -> str:
-    """Return a question with the known name that an unknown one resembles, or no text."""
-    similar = difflib.get_close_matches(name, sorted(known_names), 1, SIMILARITY)
+    """Return a question with the known name that a name resembles, or no text."""
+    similar = difflib.get_close_matches(name, sorted(known_names), n=1, cutoff=SIMILARITY)
     return f" (did you mean {similar[0]}?)" if similar else ""
 
 
@@ -100,7 +100,7 @@ def _fault_lines(model: type[BaseModel], error: ValidationError, prefix: str) ->
         keys = fault["loc"]
         if fault["type"] in UNKNOWN_KEYS:
             unknown.setdefault(keys[:-1], []).append(quote_key(keys[-1]))
-        elif not keys and fault["type"] == "value_error":  # a rule across keys, with their names
+        elif not keys and fault["type"] == "value_error":  # a rule across keys
             lines = str(fault["ctx"]["error"]).splitlines()
             return [prefix.removesuffix("config key ") + line for line in lines]
         else:
@@ -139,7 +139,7 @@ def _describe_unknown(model: type[BaseModel], section: type[BaseModel], names: l
     # Of keys with the same name in several sections, the first.
     written |= {key.rpartition(".")[2]: text for key, text in reversed(written.items())}
     written |= {key: key for key in known_keys}
-    matches = [difflib.get_close_matches(name, written, 1, SIMILARITY) for name in names]
+    matches = [difflib.get_close_matches(name, written, n=1, cutoff=SIMILARITY) for name in names]
     suggestions = ", ".join(dict.fromkeys(written[key] for keys in matches for key in keys))
     accepted = "a key that exists" if all(matches) else f"one of {', '.join(known_keys)}"
     question = f" (did you mean {suggestions}?)" if suggestions else ""

@@ -19,7 +19,7 @@ SUMMARIES = ("surface", "mean", "median", "count", "unit")
 #: Columns that are read; `site` names the site at which a force was measured.
 KNOWN_COLUMNS = {*SINGLE_FORCES, *SUMMARIES, "site"}
 #: Other names of `site`: if it were ignored, forces at one site would count as independent.
-SITE_SYNONYMS = dict.fromkeys(("place", "position", "location", "spot"), "site")
+SITE_SYNONYMS = ("place", "position", "location", "spot")
 #: Columns whose cells are forces.
 FORCE_COLUMNS = ("value", "mean", "median")
 #: A column with its unit, such as "force (uN)" or "pull-off [nN]".
@@ -53,9 +53,9 @@ def read_forces(
     resembled_names = [*KNOWN_COLUMNS, *SITE_SYNONYMS]
     raise_faults(
         f"{path}: expected no column whose name resembles another, found {quote_key(name)} (did "
-        f"you mean {SITE_SYNONYMS.get(similar, similar)}?)"
+        f"you mean {'site' if similar in SITE_SYNONYMS else similar}?)"
         for name in set(header) - KNOWN_COLUMNS
-        for similar in difflib.get_close_matches(name, resembled_names, 1, SIMILARITY)
+        for similar in difflib.get_close_matches(name, resembled_names, n=1, cutoff=SIMILARITY)
     )
     rows = table.map_rows(lambda row: _parse_force(defaults | dict(row), units, surfaces, radius))
     names = ["surface", "mean", "median", "count", "site"]
@@ -80,9 +80,9 @@ def _decode_forces(content: bytes) -> str:
 
 
 def _split_units(header: Sequence[str]) -> tuple[list[str], dict[str, str]]:
-    """Return the columns of a table, and the units of those whose header states a unit of force.
+    """Return the columns of a header, and the units that it states for columns of forces.
 
-    If no column is named value, mean or median, the only one with such a unit is `value`.
+    If no column is named value, mean or median, the only one with a unit of force is `value`.
     """
     names = []
     units = {}
@@ -94,7 +94,7 @@ def _split_units(header: Sequence[str]) -> tuple[list[str], dict[str, str]]:
         else:
             names.append(cell.lower())
     if len(units) == 1 and not set(FORCE_COLUMNS) & set(names):
-        ((name, unit),) = units.items()
+        [(name, unit)] = units.items()
         names[names.index(name)] = "value"
         return names, {"value": unit}
     return names, {name: unit for name, unit in units.items() if name in FORCE_COLUMNS}
@@ -114,6 +114,7 @@ def _parse_force(
     surface = row["surface"]
     count = row.get("count", "1")
     forces = []
+    # A single force is its own mean and median.
     for name in ("mean", "median") if "mean" in row else ("value", "value"):
         if parse_number(row[name]) == 0 or row[name].startswith("<"):
             raise ValueError(

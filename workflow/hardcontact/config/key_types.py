@@ -48,7 +48,7 @@ class Quantity:
 
 @dataclass(frozen=True)
 class Matching:
-    """Printable text that matches a whole pattern, and the pattern in words."""
+    """Printable text that a pattern matches as a whole, and the pattern in words."""
 
     pattern: str
     expects: str
@@ -76,7 +76,7 @@ def _ascending(texts: Any, validate: Callable[[Any], list[float]]) -> list[float
 
 
 def study_name(max_length: int = MAX_NAME_LENGTH) -> Matching:
-    """Return the type of names of a study; the project's own files have the end .txt."""
+    """Return the type of names of a study; names in .txt are files of the project in `results`."""
     return Matching(
         rf"(?!.*\.txt$)[A-Za-z0-9][A-Za-z0-9_.-]{{0,{max_length - 1}}}",
         f"a name of up to {max_length} letters, digits, dots, dashes and underscores, without "

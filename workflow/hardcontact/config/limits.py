@@ -64,7 +64,7 @@ def master_megabytes(pixels: int) -> int:
 
 
 class NamedContact(NamedTuple):
-    """A contact, and the names of three of its quantities in messages."""
+    """A contact, and the names of three of its fields in messages."""
 
     contact: Contact
     load_name: str = "contact.preload"
@@ -116,7 +116,7 @@ def contact_faults(named_contact: NamedContact, surface: str, extent: Extent) ->
     contact, load_name, count_name, range_name, prefix = named_contact
     row_pixels = 2 * extent.pixels
     seen_pixels = min(window_pixels(contact.window, extent.pixel_size), row_pixels) ** 2
-    reason = f"which a quarter of the {seen_pixels // 4 * 4} pixels of {surface} can carry"
+    reason = f"which a quarter of the {seen_pixels} pixels of {surface} can carry"
     yield from _load_faults(
         prefix + load_name, contact, seen_pixels // 4, extent.pixel_size, reason
     )
@@ -130,13 +130,14 @@ def contact_faults(named_contact: NamedContact, surface: str, extent: Extent) ->
 
 
 def _scan_faults(study: dict[str, Any], surface: str, extent: Extent) -> Iterator[str]:
-    """Yield the faults on the scans of a surface, and of the ranges of its masters."""
+    """Yield the faults of the sphere's size, and of contacts on scans or masters of a surface."""
     is_sphere = surface == study["sphere"]["surface"]
     radius = study["sphere"]["radius"]
     if is_sphere and radius < extent.size:
         accepted = f"at least the size of its scans ({extent.size:.6g} nm)"
         yield key_fault("sphere.radius", accepted, f"{radius:.6g} nm")
-    # The master has the size of the largest one. Its artificial pixels do not limit ranges.
+    # Half of a long-edge master, the widest map, as a scan is half of its mirrored map. Artificial
+    # pixels do not limit ranges.
     master_extent = extent._replace(size=extent.size * study["band"]["long"]["tiles"])
     for stage, named_contact in study_contacts(study).items():
         uses_masters = stage in ("band", "sets") and not is_sphere

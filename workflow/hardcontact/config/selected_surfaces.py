@@ -68,7 +68,7 @@ class Selection:
         digests: Mapping[str, str],
         published_surfaces: Collection[str],
     ) -> None:
-        """Take rows from `selected_scans`, the surface of the sphere, and `digest_surfaces`.
+        """Take the results of `selected_scans` and `digest_surfaces`, and the surfaces of Table 1.
 
         A sphere that is not in the table is smooth.
         """
@@ -116,33 +116,36 @@ class Selection:
         return [float(text) if text else None for text in texts]
 
     def contact_scan_indices(self, surface: str) -> list[int]:
-        """Return the indices, from 0, of the measured scans of a surface that make contacts."""
+        """Return the indices, from 0, of the scans with contacts among all scans of a surface."""
         uses = self._rows.use[self._rows.surface == surface]
         return [index for index, use in enumerate(uses) if use == CONTACT_USE]
 
-    def shared_master_scan(self, surface: str, master_number: int) -> int:
-        """Return the number of the scan in a master; masters take the scans in turn."""
+    def master_scan_in_turn(self, surface: str, master_number: int) -> int:
+        """Return the number of the scan in a master: masters take scans in turn."""
         scans = self.contact_scans(surface)
         return scans[(master_number - 1) % len(scans)]
 
     def separate_master_scan(self, surface: str, master_number: int) -> int:
-        """Return the number of the scan in a master: a scan of its own if scans are substitutes.
+        """Return the number of the scan in a master: a substitute scan that no other master has.
 
         Substitute scans beyond those of the study are made for masters alone. Measured scans are
         taken in turn.
         """
         scans = self.contact_scans(surface)
         if master_number <= len(scans) or surface in self.measured_surfaces:
-            return self.shared_master_scan(surface, master_number)
+            return self.master_scan_in_turn(surface, master_number)
         return max(scans) + master_number - len(scans)
 
     def batch_number(self, surface: str, scan: int) -> int:
-        """Return the number of the batch of a substitute scan; 0 for the study's scans."""
+        """Return the number of the batch (`scans_of_batch`) of a substitute scan."""
         scans = self.contact_scans(surface)
         return 0 if scan in scans else 1 + (scan - max(scans) - 1) // len(scans)
 
     def scans_of_batch(self, surface: str, batch: int) -> list[int]:
-        """Return the scans of a batch: as many as the study has, conditioned together."""
+        """Return the scans of a batch, which meet Table 1 together: see `condition_batch`.
+
+        Batch 0 has the scans of the study, each other batch as many further ones.
+        """
         scans = self.contact_scans(surface)
         start = max(scans) + 1 + (batch - 1) * len(scans)
         return list(range(start, start + len(scans))) if batch else scans
@@ -152,7 +155,7 @@ class Selection:
         return str(self._cells.path[surface, scan])
 
     def dataset(self, surface: str, scan: int) -> str:
-        """Return the dataset of a scan in its container; empty for a plain file."""
+        """Return the dataset or channel that the table names for a scan; empty for a substitute."""
         return str(self._cells.dataset[surface, scan]) if surface in self.measured_surfaces else ""
 
     def description(self, surface: str) -> str:
@@ -183,9 +186,9 @@ def surface_table(path: str | Path) -> pd.DataFrame:
     _refuse_repeated(path, table, ["surface", "scan"])
     _refuse_repeated(path, table[table.source == "measured"], ["path", "dataset"])
     _refuse_disagreement(path, table)
-    for number, file in table.path.items():
+    for line, file in table.path.items():
         if not os.path.isfile(file):
-            raise ValueError(f"{path}: line {number}: expected the file {file}, found no such file")
+            raise ValueError(f"{path}: line {line}: expected the file {file}, found no such file")
     return table
 
 
@@ -210,7 +213,7 @@ def selected_scans(table: pd.DataFrame, scans: Literal["all"] | list[int]) -> pd
 
 
 def _refuse_repeated(path: str | Path, table: pd.DataFrame, columns: list[str]) -> None:
-    """Refuse rows with the same values in all of some columns."""
+    """Refuse a row with the same values as an earlier row in all of these columns."""
     repeated = table[table.duplicated(columns)]
     if len(repeated):
         values = " ".join(str(repeated.iloc[0][column]) for column in columns)

@@ -5,13 +5,13 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple
 
-from hardcontact.config.configuration import combines_bodies, is_paper_study, study_contact
+from hardcontact.config.configuration import has_rough_sphere, is_paper_study, study_contact
 from hardcontact.config.selected_surfaces import Selection
 
 #: Minimum number of positions on a rough sphere that touch each surface of the user. With 16 an
 #: interval is 1.1 times as wide as with many positions; each position costs computing time.
 SPHERE_POSITIONS = 16
-#: Contacts per row at each of several positions.
+#: Contacts per row at each of several positions: 16 times 36 contacts in place of 400.
 POSITION_CONTACTS_PER_ROW = 6
 
 
@@ -34,17 +34,17 @@ class StudyPlan:
 
     @property
     def scan_ids(self) -> list[ScanId]:
-        """The scans of all surfaces."""
+        """The scans with contacts of all surfaces."""
         return self._scan_ids_of(self.selection.surfaces)
 
     @property
     def substrate_scan_ids(self) -> list[ScanId]:
-        """The scans of all substrates."""
+        """The scans with contacts of all substrates."""
         return self._scan_ids_of(self.selection.substrates)
 
     @property
     def measured_scan_ids(self) -> list[ScanId]:
-        """The scans of measured substrates."""
+        """The scans with contacts of measured substrates."""
         measured = self.selection.measured_surfaces
         return [scan_id for scan_id in self.substrate_scan_ids if scan_id.surface in measured]
 
@@ -54,7 +54,7 @@ class StudyPlan:
 
     @property
     def scan_batches(self) -> dict[tuple[int, ...], list[str]]:
-        """Substitutes by the numbers of the scans that one job makes."""
+        """The substitutes whose scans with these numbers are a batch, which one job makes."""
         sections = ("band", "sets", "exponents")
         master_count = max(self.study[name]["masters"] for name in sections)
         selection = self.selection
@@ -73,7 +73,7 @@ class StudyPlan:
         """
         if is_paper_study(self.study):
             return self.selection.separate_master_scan(surface, master_number)
-        return self.selection.shared_master_scan(surface, master_number)
+        return self.selection.master_scan_in_turn(surface, master_number)
 
     def sphere_radius(self, surface: str) -> float | None:
         """Return the radius (nm) of the sphere in scans of its surface, None in other scans."""
@@ -93,7 +93,7 @@ class StudyPlan:
     def combined_surfaces(self) -> list[str]:
         """The measured substrates to which the roughness of a measured sphere is added."""
         measured = self.selection.measured_surfaces
-        if not combines_bodies(self.study) or self.selection.sphere not in measured:
+        if not has_rough_sphere(self.study) or self.selection.sphere not in measured:
             return []
         return [name for name in self.selection.substrates if name in measured]
 
@@ -110,19 +110,16 @@ class StudyPlan:
         return sphere_scans[self.selection.contact_scans(surface).index(scan) % len(sphere_scans)]
 
     def measurements_of_map(self, surface: str, scan: int) -> list[int]:
-        """Return which measurements of its surface's spectrum, from 0, are the scans in a map."""
-        indices = []
-        offset = 0
-        for body in self.rough_bodies(surface, scan):
-            scans = self.selection.all_scans(body.surface)
-            indices.append(offset + scans.index(body.scan))
-            offset += len(scans)
-        return indices
+        """Return which measurements (from 0) of the spectrum of a map are the scans in the map."""
+        bodies = self.rough_bodies(surface, scan)
+        all_scans = self.selection.all_scans
+        measured = [(body.surface, scan) for body in bodies for scan in all_scans(body.surface)]
+        return [measured.index(body) for body in bodies]
 
     @property
     def positions_per_row(self) -> int:
-        """Positions per row of their square array on each scan of the sphere."""
-        minimum = SPHERE_POSITIONS if combines_bodies(self.study) else 1
+        """Positions per row of the square array of positions on each scan of the sphere."""
+        minimum = SPHERE_POSITIONS if has_rough_sphere(self.study) else 1
         return math.ceil(math.sqrt(minimum / len(self.selection.sphere_scans)))
 
     @property

@@ -1,4 +1,4 @@
-"""Read YAML files and tables that the user wrote, and refuse them with a line for each fault."""
+"""Read YAML files and tables, and refuse those of the user with a line for each fault."""
 
 import csv
 import io
@@ -77,7 +77,8 @@ class UserTable(NamedTuple):
     ) -> None:
         """Refuse a table without rows, or with a missing or repeated column.
 
-        If `allowed` columns are given, all other columns are refused, too.
+        `content` describes the table in the message. If `allowed` columns are given, all other
+        columns are refused, too.
         """
         complete = set(columns) <= set(self.header) <= set(allowed or self.header)
         if not (self.cells and complete and len(set(self.header)) == len(self.header)):
@@ -127,7 +128,7 @@ def user_table(
 ) -> UserTable:
     """Read a table that the user wrote, with a header; between tabs nothing is quoted.
 
-    Semicolons or tabs may separate cells, and decimals then have a comma, as in spreadsheets.
+    Semicolons or tabs may separate cells, and decimals may then have a comma, as in spreadsheets.
     Messages name the required content and form of the table.
     """
     if not os.path.isfile(path):

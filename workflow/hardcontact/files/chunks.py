@@ -22,7 +22,7 @@ CANDIDATES_PER_JOB = 10
 
 
 class Chunk(NamedTuple):
-    """The numbers of the first and the last scan or whole surface of a chunk."""
+    """A surface, and the numbers of the first and the last scan or whole surface of a chunk."""
 
     surface: str
     first: int
@@ -30,7 +30,7 @@ class Chunk(NamedTuple):
 
 
 class CandidateChunk(NamedTuple):
-    """The numbers of the first and the last candidate with features of one kind."""
+    """A surface, and the numbers of the first and the last candidate with one kind of features."""
 
     surface: str
     features: str
@@ -90,7 +90,7 @@ class Chunks:
         if surface is None:
             return []
         set_candidates = ceil(self._study["sets"]["count"] / len(FEATURE_SIGNS))
-        counts = dict.fromkeys(FEATURE_SIGNS, set_candidates)
+        counts = {kind: set_candidates for kind in FEATURE_SIGNS}
         counts[GAUSSIAN] = min(set_candidates, CANDIDATES_PER_JOB)
         return [
             CandidateChunk(surface, kind, *span)
@@ -108,7 +108,7 @@ class Chunks:
     # Masters
 
     def master_forces(self, purpose: str) -> list[MasterForcesChunk]:
-        """Return the forces on the masters of a purpose: outputs of compute_filtered_forces."""
+        """Return the chunks of masters of a purpose: outputs of rule compute_filtered_forces."""
         count = get_key(self._study, PURPOSES[purpose].masters_key)
         spans = _spans(count, PURPOSES[purpose].masters_per_job)
         sweep = self._files.patterns.settings[purpose]
@@ -150,7 +150,7 @@ class Chunks:
     def master_inputs(
         self, purpose: str, surface: str, first: int, last: int
     ) -> dict[str, list[str]]:
-        """Return the inputs of rule compute_filtered_forces, one file for each master.
+        """Return the inputs of rule compute_filtered_forces: by name, a file for each master.
 
         Masters without files are made by the job, from scans and spectra.
         """
@@ -165,10 +165,9 @@ class Chunks:
                 for side in SIDES
             }
         if PURPOSES[purpose].samples_spectra:
-            find_scan = self._selection.shared_master_scan
             spectra = [files.sampled_spectrum_path(surface, number) for number in numbers]
         else:
-            find_scan = self._selection.separate_master_scan
             spectra = [files.spectrum_path(surface)] * len(numbers)
+        find_scan = self._plan.master_scan
         scans = [files.contact_map_path(surface, find_scan(surface, number)) for number in numbers]
         return {"scans": scans, "spectra": spectra}

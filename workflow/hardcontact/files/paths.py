@@ -12,6 +12,7 @@ from hardcontact.files.settings import PURPOSES, settings_digest, store_kinds
 from hardcontact.surfaces.features import FEATURE_KINDS
 
 _SURFACE = "{surface}/{digest}"
+#: The shape is what was subtracted from a scan besides a plane: nothing (flat) or the sphere.
 _SCAN = f"{_SURFACE}/scan-{{scan}}-{{shape}}.nc"
 _REALIZATION = f"{_SURFACE}/realization-{{realization}}"
 _NUMBER = "[0-9.e+-]+"
@@ -47,7 +48,7 @@ class StorePatterns:
         self.measured_spectra = f"{folder['measured_spectra']}/{_SURFACE}/measured-{{shape}}.nc"
         self.sampled_spectra = f"{folder['sampled_spectra']}/{_REALIZATION}-{{shape}}.nc"
 
-        # The same with the roughness of both bodies.
+        # Scans and spectra with the roughness of both bodies.
         self.combined_scans = f"{folder['both_bodies']}/{_SURFACE}/scan-{{scan}}.nc"
         self.combined_spectra = f"{folder['both_bodies']}/{_SURFACE}/spectrum.nc"
         self.combined_sampled_spectra = f"{folder['both_bodies']}/{_REALIZATION}.nc"
@@ -92,7 +93,7 @@ class StudyPaths:
         return f"{self.results}/{file}"
 
     def figure(self, name: str, suffix: str) -> str:
-        """Return the path of a figure with the suffix pdf, png, svg or csv."""
+        """Return the path of a figure, whose suffix is one of FILE_KINDS."""
         return f"{self.results}/figures/{name}.{suffix}"
 
     def page(self, name: str) -> str:
@@ -126,7 +127,7 @@ def wildcard_constraints(surfaces: Iterable[str]) -> dict[str, str]:
     return {
         "surface": any_name_pattern(surfaces),
         "features": "|".join(FEATURE_KINDS),
-        **dict.fromkeys(("scan", "first", "last", "realization"), r"\d+"),
+        **{number: r"\d+" for number in ("scan", "first", "last", "realization")},
         "shape": f"flat|sphere-R{_NUMBER}um",
         "side": "short|long",
         "radius": radius,
@@ -172,7 +173,7 @@ class SurfaceFiles:
     # Surfaces
 
     def spectrum_path(self, surface: str) -> str:
-        """Return the path of the spectrum of a surface at all scales."""
+        """Return the path of a spectrum: as measured, or for a substitute as calibrated."""
         if surface in self.selection.measured_surfaces:
             return self.path(self.patterns.measured_spectra, surface)
         return self.path(self.patterns.calibrated_spectra, surface)
@@ -185,7 +186,7 @@ class SurfaceFiles:
         return [self.path(self.patterns.measurements, surface, scan=scan) for scan in scans]
 
     def conditioning_path(self, surface: str) -> str:
-        """Return the path of the gain and factors that the scans of a substitute share."""
+        """Return the path of the gain and factors of the study's scans of a substitute."""
         first_scan = self.selection.contact_scans(surface)[0]
         return self.path(self.patterns.conditioning, surface, scan=first_scan)
 
@@ -200,7 +201,7 @@ class SurfaceFiles:
 
     @property
     def first_sphere_scan_path(self) -> str:
-        """The path of the first scan of the sphere, under which masters and changed scans are."""
+        """The path of the first scan of the sphere, which meets masters and changed scans."""
         return self.mirrored_scan_paths(self.selection.sphere)[0]
 
     # Both bodies

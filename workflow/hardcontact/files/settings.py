@@ -16,7 +16,7 @@ from hardcontact.config.configuration import (
     get_key,
     is_paper_study,
     master_keys,
-    reading_keys,
+    reading_arguments,
     study_contact,
 )
 from hardcontact.config.limits import master_megabytes, random_surface_pixels
@@ -107,14 +107,14 @@ def _surface_kinds(plan: StudyPlan) -> dict[str, StoreKind]:
     sides = {side: {key: band[side][key] for key in keys} for side, keys in side_keys.items()}
     return {
         # Measured scans, as their files have them.
-        "measurements": StoreKind(reading_keys(study)),
+        "measurements": StoreKind(reading_arguments(study)),
         # The spectrum of a surface, from all its measurements.
         "measured_spectra": StoreKind(levelling, ["measurements"]),
         # Such spectra, sampled within the uncertainty of the measurements.
         "sampled_spectra": StoreKind({**seed, **levelling}, ["measurements"]),
         # Levelled scans, mirrored scans, and the conditioning of substitutes on Table 1.
         "measured_scans": StoreKind(levelling, ["measurements"]),
-        "substitute_scans": StoreKind(_featured_surface(study)),
+        "substitute_scans": StoreKind(_substitute_settings(study)),
         "scans": StoreKind({}, ["measured_scans", "substitute_scans"]),
         # Scans and spectra with the roughness of both bodies; as they were if none is added.
         "both_bodies": StoreKind(
@@ -165,7 +165,7 @@ def _random_surface_kinds(study: Mapping[str, Any]) -> dict[str, StoreKind]:
     pixels, size = study["substitutes"]["pixels"], study["substitutes"]["size"]
     grid = {"pixels": 2 * study["band"]["long"]["tiles"] * pixels, "pixel_size": size / pixels}
     whole_surface = {
-        **_featured_surface(study),
+        **_substitute_settings(study),
         "contact": contact | {"rho": study["adhesion"]["range"]},
         "grid": grid,
     }
@@ -194,8 +194,8 @@ def _random_surface(study: Mapping[str, Any]) -> dict[str, Any]:
     return {"seed": study["seed"], "scan_grid": scan_grid}
 
 
-def _featured_surface(study: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the settings of random surfaces, of which one may have bumps or pits."""
+def _substitute_settings(study: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the settings of substitutes, and the name of the one that has bumps or pits."""
     return _random_surface(study) | {"featured_surface": study["substitutes"]["featured_surface"]}
 
 

@@ -29,7 +29,7 @@ class Record(NamedTuple):
     versions: dict[str, str]  #: Versions of PACKAGES, by package.
     input_digests: dict[str, str]  #: SHA-256 by path.
     sha256: str
-    lineage: str  #: Empty in records of former versions.
+    lineage: str  #: From `lineage`; empty in records of former versions.
 
 
 def canonical_json(parameters: object) -> str:
@@ -104,7 +104,7 @@ def keep_records(paths: Iterable[str | Path], origin: Origin) -> None:
     input_lineages = {}
     for path, digest in origin.input_digests.items():
         record = read_record(path)
-        input_lineages[path] = (record and record.lineage) or digest
+        input_lineages[path] = record.lineage if record and record.lineage else digest
     shared_record = origin.attributes() | {
         "input_digests": origin.input_digests,
         "lineage": lineage(origin.parameters_json, input_lineages),

@@ -30,8 +30,8 @@ def traced_records(folder: str | Path) -> dict[str, Record]:
 def verify_study(folder: str | Path) -> tuple[list[str], list[str]]:
     """Return a line for each file of ``results/<study>`` that does not match, and a summary.
 
-    Files that led to the study are compared, too; a file may be missing or have no record. Raises
-    ValueError, with one line, if there is nothing to compare or a record is damaged.
+    Files that led to the study are compared, too, unless they are missing. Raises ValueError, with
+    one line, if there is nothing to compare or a record is damaged.
     """
     records = traced_records(folder)
     if not records:

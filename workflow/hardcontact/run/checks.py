@@ -14,7 +14,7 @@ from hardcontact.config.configuration import (
     contact_words,
     get_key,
     is_paper_study,
-    reading_keys,
+    reading_arguments,
 )
 from hardcontact.config.descriptions import refuse_description, refuse_paper_surface
 from hardcontact.config.faults import collect_faults, key_fault, raise_faults
@@ -164,11 +164,11 @@ def _own_surface_faults(study: dict[str, Any], table: pd.DataFrame) -> list[str]
 def stored_scan(study: dict[str, Any], row: Any) -> HeightMap:
     """Return a measured scan of a row of the table, as `read_scan` reads it.
 
-    The rule read_scan stores scans, so that a file is read here only if it, its keys or the code
-    changed.
+    The rule read_scan stores scans. A file is read here only if its scan was not stored, or the
+    file, its keys or the code changed.
     """
     file = MEASUREMENT.format(surface=row.surface, scan=row.scan, digest="*")
-    arguments = reading_keys(study) | {"dataset": row.dataset}
+    arguments = reading_arguments(study) | {"dataset": row.dataset}
     for stored_path in glob(f"{escape(study['store'])}/measurements/*/{file}"):
         if is_current(stored_path, arguments, row.path):
             return load_height_map(stored_path)

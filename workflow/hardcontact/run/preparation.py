@@ -73,8 +73,8 @@ def plans_the_run(workflow: Any) -> bool:
 def complete_rules(workflow: Any, paths: StudyPaths) -> None:
     """Give each rule with a script a log and, if it writes files, its code and a benchmark.
 
-    Its code, the script and the modules that this imports, are inputs: if they change, the files
-    are made again. A rule may name more code.
+    Its code, the script and the modules that the script imports, are inputs: if they change, the
+    files are made again. A rule may name more code.
     """
     for rule in workflow.rules:
         if rule.norun:

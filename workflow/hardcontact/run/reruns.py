@@ -198,5 +198,5 @@ def _recorded_change(persistence: Any, job: Any, file: str | None = None) -> Par
 
 @cache
 def _reruns(dag: Any) -> Reruns:
-    """Return the changes since the files of a run were made, which are found once for all jobs."""
+    """Return the `Reruns` of a run, one for all its jobs, because it keeps what it has found."""
     return Reruns(dag.dependencies)

@@ -24,7 +24,7 @@ from hardcontact.config.selected_surfaces import (
     surface_table,
 )
 from hardcontact.config.user_files import read_yaml
-from hardcontact.records.code import ROOT, write_pins
+from hardcontact.records.code import ROOT
 from hardcontact.records.origin import file_digests, refuse_edited_files
 from hardcontact.run.ending import end_run_at_fault, refuse
 from hardcontact.run.preparation import plans_the_run
@@ -40,11 +40,12 @@ def finished_configuration(config: Mapping[str, Any]) -> str:
     return path
 
 
-def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, Any]:
-    """Complete the configuration that Snakemake merged; return it with quantities as numbers.
+def complete_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, Any]:
+    """Complete, in place, the configuration that Snakemake merged; return it as numbers.
 
     Snakemake leaves nested values of the command line as text; here they are parsed as YAML. Keys
-    under `quick` are checked even if they are not used.
+    under `quick` are checked even if they are not used. `overwrite` is no key of a study: it lets
+    another study replace the paper's.
     """
     with end_run_at_fault():
         if plans_the_run(workflow):
@@ -116,5 +117,4 @@ def checked_selection(workflow: Any, study: dict[str, Any]) -> Selection:
             from hardcontact.run.checks import check_study
 
             check_study(study, rows)
-        write_pins()  # A run that is refused writes nothing.
     return Selection(rows, study["sphere"]["surface"], digest_surfaces(rows), surfaces_of_table1())
