@@ -184,8 +184,8 @@ def extrapolate_short_waves(
 def _find_tail_end(density: Floats) -> tuple[int, TailEnd]:
     """Return the last index of WAVEVECTORS within all bounds, and the bound exceeded first."""
 
-    # The squares are ∫ q^4 C_iso d ln q / 2 pi, and ∫ q^6 C_iso d ln q / 2 pi, divided by 4.
     def rms(power: int, divisor: int) -> Floats:
+        """Return the root of ∫ q^power C_iso d ln q / (2 pi divisor), up to each wavevector."""
         square = density * WAVEVECTORS**power / divisor / (2 * np.pi)
         return np.sqrt(scipy.integrate.cumulative_trapezoid(square, LOG_WAVEVECTORS, initial=0))
 

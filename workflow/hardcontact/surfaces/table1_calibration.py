@@ -107,7 +107,7 @@ def calibrate_model(segment: pd.Series, table1: pd.DataFrame, weights: Weights) 
         scan_rms = expected_scan_rms(Spectrum(WAVEVECTORS, density), weights)
         return np.asarray(np.log(scan_rms / published_rms))
 
-    # The plateau of an rms height over a roll-off of 1 µm, and typical steps of the search.
+    # The plateau follows from the rms height and a roll-off of 1 µm; x_scale has typical steps.
     log_plateau = 2 * np.log(published_rms[0] * 1000)
     first_guess = [log_plateau, *(FIRST_GUESSES[name] for name in searched[1:])]
     fit = scipy.optimize.least_squares(
@@ -140,8 +140,8 @@ def calibrate_tail(
     if min(missing_squares) <= 0:
         raise refusal
 
-    # Logarithm of the ratio of the added to the missing square: 0 gradient, 1 half-Laplacian.
     def excess(hurst: float, shortest: float, index: int) -> float:
+        """Return ln(added/missing square) of the gradient (index 0) or the half-Laplacian (1)."""
         tail = power_law_tail(longer_waves, hurst, shortest)
         added = all_scales_rms(Spectrum(WAVEVECTORS, tail))[1 + index]
         return float(np.log(added**2 / missing_squares[index]))
