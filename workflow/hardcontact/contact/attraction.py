@@ -14,7 +14,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import variables_of_columns
 from hardcontact.base.progress import progress
 from hardcontact.base.units import NANOMETRE, NEWTON, NM, PASCAL
-from hardcontact.contact.contact import Contact
+from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import Bodies, largest_contact_gap, reference_gap_map
 
 #: The results of `asperity_sizes`, with their units.
@@ -28,8 +28,9 @@ CARRIED_SHARE = 0.9
 def trace_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> xr.Dataset:
     """Return the gap, adhesive pressure and force of one plastic contact of the array.
 
-    Returns ``gap`` (y, x) in nm, negative where the rigid bodies would overlap,
-    ``adhesive_pressure`` (y, x) in Pa and ``force`` (separation) in N.
+    Returns ``gap`` (y, x) in nm, negative where rigid bodies would overlap, ``adhesive_pressure``
+    (y, x) in Pa, and ``force`` (separation) in N, negative because it attracts. Positions y and x
+    are relative to the apex.
     """
     contact.require("rho", "work")
     pixel_size = bodies.geometry.pixel_size
@@ -47,11 +48,8 @@ def trace_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> x
             "adhesive_pressure": (("y", "x"), pressure.astype(np.float32), PASCAL),
             "force": ("separation", -pull_off * np.exp(-separation / rho), NEWTON),
         },
-        {
-            "y": ("y", position, NM),
-            "x": ("x", position, NM),
-            "separation": ("separation", separation, NM),
-        },
+        {axis: (axis, position, NM) for axis in ("y", "x")}
+        | {"separation": ("separation", separation, NM)},
         {"rho": rho, "work_of_adhesion": contact.work, "pull_off_force": pull_off},
     )
 
@@ -79,9 +77,8 @@ def find_carrying_asperities(
         variables_of_columns(values, ("contact", "rho"), ASPERITY_UNITS),
         {
             "rho": ("rho", ranges, NM),
-            "contact_y": ("contact", contact_indices[:, 0]),
-            "contact_x": ("contact", contact_indices[:, 1]),
-        },
+        }
+        | {axis: ("contact", contact_indices[:, k]) for k, axis in enumerate(CONTACT_AXES)},
         {"share": CARRIED_SHARE, "sphere_radius": bodies.geometry.radius},
     )
 
@@ -89,9 +86,9 @@ def find_carrying_asperities(
 def asperity_sizes(
     attraction: Floats, share: float, pixel_size: float
 ) -> tuple[float, float, int, float]:
-    """Return the ASPERITY_UNITS of the asperities that together carry a share of the force.
+    """Return the quantities of ASPERITY_UNITS for the asperities that carry a share of the force.
 
-    These are the shares of the strongest asperity and of the two strongest, the number of
+    They are the shares of the strongest asperity and of the two strongest, the number of
     asperities, and the diameter (nm) of the circle about the centre of force that holds the share.
     The attraction (n, n) is proportional to the force on each pixel.
     """
@@ -99,9 +96,9 @@ def asperity_sizes(
     is_carrier = attraction >= least_carrying_attraction(attraction, share)
     box = ndimage.find_objects(is_carrier.view(np.int8))[0]
     label, count = ndimage.label(is_carrier[box], structure=np.ones((3, 3)))
-    forces = np.sort(np.bincount(label.ravel(), attraction[box].ravel())[1:])[::-1] / total
+    shares = np.sort(np.bincount(label.ravel(), attraction[box].ravel())[1:])[::-1] / total
     extent = _diameter_in_pixels(attraction, share) * pixel_size
-    return forces[0], forces[:2].sum(), count, extent
+    return shares[0], shares[:2].sum(), count, extent
 
 
 def least_carrying_attraction(attraction: Floats, share: float) -> float:

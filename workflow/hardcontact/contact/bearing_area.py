@@ -44,7 +44,7 @@ class Cells:
     def cells_in_window(
         self, positions: NDArray[np.int_], window: int
     ) -> tuple[NDArray[np.int_], NDArray[np.int_], NDArray[np.bool_]]:
-        """Return the cells that meet windows, in pixels, about positions (...), along one axis.
+        """Return the cells that meet windows, in pixels, about positions (...) along either axis.
 
         Returns three arrays (..., k), padded to the largest number k of cells in a window: the
         offset of a cell from the position, its index, and whether it meets the window.
@@ -59,7 +59,7 @@ class Cells:
         return offset, index, cells <= last_cell[..., None]
 
     def _cell_number(self, pixel: NDArray[np.int_]) -> NDArray[np.int_]:
-        """Return the number of the cell of a pixel along one axis; numbers go on over periods."""
+        """Return the cell number of a pixel along either axis; numbers go on over periods."""
         period, pixel_in_period = np.divmod(pixel, self.pixels)
         return np.asarray(period * len(self.maxima) + pixel_in_period // CELL_PIXELS)
 
@@ -112,8 +112,10 @@ class WindowCells(NamedTuple):
 class _Windows:
     """The cells of the substrate in the windows of contacts, with lower bounds (nm) on their gaps.
 
-    Cells are numbered along each axis of the window. Bounds outside the window are infinite.
-    `roughness_maxima` are the highest points of the sphere's roughness over each cell.
+    `apexes` (contact, 2) are pixels of the substrate. Cells are numbered along each axis of the
+    window. Bounds outside the window are infinite. `roughness_maxima` has the highest point of the
+    roughness on the cells of the sphere that one cell of the substrate may meet, by the first of
+    them; it is None for a smooth sphere.
     """
 
     def __init__(
@@ -121,13 +123,13 @@ class _Windows:
         bodies: Bodies,
         substrate: Cells,
         roughness_maxima: NDArray[np.floating] | None,
-        positions: NDArray[np.int_],
+        apexes: NDArray[np.int_],
     ) -> None:
         self.substrate = substrate
         self.sphere_roughness = bodies.sphere_roughness
         self.roughness_maxima = roughness_maxima
         self.geometry = geometry = bodies.geometry
-        offset, index, is_met = substrate.cells_in_window(positions, geometry.window_pixels)
+        offset, index, is_met = substrate.cells_in_window(apexes, geometry.window_pixels)
         nearest = np.maximum(np.maximum(offset, -(offset + CELL_PIXELS - 1)), 0)
         sphere_minima = np.where(is_met, geometry.paraboloid(nearest), np.inf)
         padding = ((0, 0), (0, 0), (0, -sphere_minima.shape[-1] % GROUP_CELLS))
@@ -181,7 +183,7 @@ class _Windows:
         return gaps, y, x
 
     def _sphere_in_window(self, offset: NDArray[np.int_]) -> Floats:
-        """Return the height (nm) of the sphere along one axis, infinite outside the window."""
+        """Return the height (nm) of the smooth sphere along one axis, infinite outside windows."""
         geometry = self.geometry
         return np.where(geometry.window_mask(offset), geometry.paraboloid(offset), np.inf)
 
@@ -213,7 +215,10 @@ def _find_contact_pixels(windows: _Windows, contact_pixel_count: int) -> list[Co
 
 
 def _limits_of_gaps(windows: _Windows, cells: WindowCells, contact_pixel_count: int) -> Floats:
-    """Return the N-th smallest gap (contact,) in the cells of lowest bounds: an upper limit."""
+    """Return the N-th smallest gap (contact,) in the cells of lowest bounds: an upper limit.
+
+    N is `contact_pixel_count`. The limit is infinite if the cells have fewer gaps.
+    """
     ends = np.searchsorted(cells.contact_numbers, np.arange(cells.contact_numbers[-1] + 2))
     cell_count = LIMIT_CELL_FACTOR * -(-contact_pixel_count // CELL_PIXELS**2)
     cell_count = min(cell_count, np.diff(ends).min())
@@ -265,10 +270,10 @@ def all_contact_pixels(bodies: Bodies, contact_pixel_count: int) -> ContactPixel
         # Along each axis a cell of the substrate meets up to three cells of the sphere: one is cut.
         roughness_maxima = _maxima_of_squares(cut_into_cells(bodies.sphere_roughness).maxima, 3)
     apexes = bodies.geometry.apexes()
-    positions = apexes.reshape(-1, 2)
+    flat_apexes = apexes.reshape(-1, 2)
     pixels: list[ContactPixels] = []
-    for start in range(0, len(positions), CONTACTS_AT_ONCE):
-        batch = positions[start : start + CONTACTS_AT_ONCE]
+    for start in range(0, len(flat_apexes), CONTACTS_AT_ONCE):
+        batch = flat_apexes[start : start + CONTACTS_AT_ONCE]
         windows = _Windows(bodies, substrate, roughness_maxima, batch)
         pixels += _find_contact_pixels(windows, contact_pixel_count)
     gaps, offsets = (np.stack(arrays) for arrays in zip(*pixels, strict=True))

@@ -11,7 +11,8 @@ CONTACT_MODELS = [RIGID, PLASTIC]
 #: Axes of the array of contacts.
 CONTACT_AXES = ("contact_y", "contact_x")
 #: Dimensions over which forces are averaged. `sphere_scan` numbers the scans of the sphere, or, if
-#: there are few, the positions on them at which the sphere touches.
+#: there are few, the positions on them at which the sphere touches. `contact` numbers contacts that
+#: were selected from the array.
 CONTACT_DIMENSIONS = ("sphere_scan", "contact", *CONTACT_AXES)
 
 
@@ -53,4 +54,5 @@ class Contact:
 
         It is 1 in rigid contact. Source: the paper, plastic analysis.
         """
+        # The factor below one keeps rounding errors from adding a pixel.
         return max(1, math.ceil(self.area / pixel_size**2 * (1 - 1e-12)))

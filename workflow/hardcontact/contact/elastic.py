@@ -49,18 +49,18 @@ class HalfSpace:
         """Return the displacement (n, n) in nm into the half space by forces (n, n) in nN."""
         return np.asarray(fft.irfft2(self._compliance * fft.rfft2(forces), s=forces.shape))
 
-    def influence(self, pixels: NDArray[np.int_]) -> Floats:
+    def influence(self, candidates: NDArray[np.int_]) -> Floats:
         """Return the displacements (k, k) in nm of pixels (k, 2) by 1 nN on each of them."""
-        rows, columns = (pixels[:, None] - pixels).transpose(2, 0, 1) % len(self._response)
+        rows, columns = (candidates[:, None] - candidates).transpose(2, 0, 1) % len(self._response)
         return np.asarray(self._response[rows, columns])
 
 
 def contact_forces(influence: Floats, gaps: Floats, load: float) -> tuple[Floats, float]:
     """Return the contact forces (k,) on pixels with gaps (k,), and the approach (nm) of the bodies.
 
-    Contact forces (nN) repel; they add up to the load. A pixel with a force has no gap left, one
-    without a force has no overlap: the primal-dual active set (Hintermüller, Ito and Kunisch, SIAM
-    J. Optim. 13 (2002) 865).
+    Contact forces (nN) repel; they add up to the load. A pixel with a force has no gap left, a
+    pixel without a force has no overlap. Source: the primal-dual active set of Hintermüller, Ito
+    and Kunisch, SIAM J. Optim. 13 (2002) 865. Raises ValueError if it finds no equilibrium.
     """
     touching = np.ones(len(gaps), bool)
     for _ in range(MAX_ITERATIONS):
@@ -88,18 +88,19 @@ class PressedContact(NamedTuple):
 def press(half_space: HalfSpace, gap: Floats, load: float) -> PressedContact:
     """Press a rough body onto a half space with a load (nN), from a gap (n, n) at any approach.
 
-    The lowest pixels touch first; pixels that would overlap join, up to MAX_TOUCHING_PIXELS.
+    The lowest pixels touch first; pixels that would overlap join. Raises ValueError if more than
+    MAX_TOUCHING_PIXELS may touch, or if no equilibrium is found.
     """
     if load == 0:  # The lowest pixel touches without a force.
         return PressedContact(np.zeros_like(gap), gap - gap.min())
     is_candidate = gap <= largest_contact_gap(gap, FIRST_TOUCHING_PIXELS)
     while True:
-        pixels = np.argwhere(is_candidate)
-        if len(pixels) > MAX_TOUCHING_PIXELS:
+        candidates = np.argwhere(is_candidate)
+        if len(candidates) > MAX_TOUCHING_PIXELS:
             raise ValueError(
                 f"{EXPECTED_EQUILIBRIUM}, found over {MAX_TOUCHING_PIXELS} touching pixels"
             )
-        forces, approach = contact_forces(half_space.influence(pixels), gap[is_candidate], load)
+        forces, approach = contact_forces(half_space.influence(candidates), gap[is_candidate], load)
         all_forces = np.zeros_like(gap)
         all_forces[is_candidate] = forces
         gap_left = gap + half_space.displacement(all_forces) - approach
@@ -109,7 +110,7 @@ def press(half_space: HalfSpace, gap: Floats, load: float) -> PressedContact:
         # Few pixels under the whole load sink so far that most others overlap, though few of them
         # touch in the end: so the candidates at most double.
         other_gaps = np.where(is_candidate, np.inf, gap_left)
-        added_count = min(int((overlaps & ~is_candidate).sum()), len(pixels))
+        added_count = min(int((overlaps & ~is_candidate).sum()), len(candidates))
         is_candidate |= other_gaps <= largest_contact_gap(other_gaps, added_count)
 
 
@@ -126,7 +127,7 @@ def adhesive_pull_off(
 
     The load is the sum of the contact forces. The elastic force is the maximum of attraction minus
     load, over loads (the paper, elastic analysis). Raises ValueError if attraction stretches the
-    bodies by over rho/10.
+    bodies by over rho/10, or if no equilibrium is found.
     """
     rigid_gap = gap - gap.min()
     strength = work / rho * pixel_size**2

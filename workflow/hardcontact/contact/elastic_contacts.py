@@ -21,7 +21,7 @@ from hardcontact.contact.hertz_jkr_dmt import hertz_contact
 
 #: Largest number of pixels per row of the map of the pressure in one contact.
 PRESSURE_MAP_PIXELS = 64
-#: Width in nm of the window about a contact in which elastic and rigid pull-off are compared.
+#: Width in nm of the window about the lowest gap in which elastic and rigid forces are compared.
 PULL_OFF_WINDOW = 2500.0
 #: Quantities of each elastic contact, with their units.
 ELASTIC_UNITS = {
@@ -53,8 +53,8 @@ def solve_elastic_contacts(
     """Solve some contacts of two bodies with elasticity, without plasticity.
 
     The indices (contact, 2) are row and column in the array. Returns variables (contact) with the
-    names in ELASTIC_UNITS, and ``pressure`` (y, x) in Pa of the first contact. Raises ValueError if
-    no equilibrium is found.
+    names in ELASTIC_UNITS, and ``pressure`` (y, x) in Pa about the peak of the first contact.
+    Raises ValueError if `elastic` does not solve a contact.
     """
     contact.require("rho", "work")
     geometry = bodies.geometry
@@ -92,6 +92,6 @@ def solve_elastic_contacts(
 
 
 def stack_elastic_contacts(scans: DatasetsByLabels) -> xr.Dataset:
-    """Stack results of `solve_elastic_contacts` by (scan,), with the pressure of the first scan."""
+    """Stack results of `solve_elastic_contacts` along ``scan``; keep the first scan's pressure."""
     numbers = {key: scan.drop_vars(["pressure", "y", "x"]) for key, scan in scans.items()}
     return stack(numbers, ["scan"]).assign(pressure=next(iter(scans.values()))["pressure"])

@@ -10,7 +10,8 @@ from hardcontact.base.arrays import Floats
 def spline_weights(points: Floats, targets: Floats | float, *, extrapolate: bool = False) -> Floats:
     """Return the weights (..., point) of a cubic spline through ascending points at targets (...).
 
-    A spline is linear in its data, so that the weights serve all data.
+    A spline is linear in its data, so that the weights serve all data. They are NaN beyond the
+    points unless `extrapolate` is True.
     """
     spline = make_interp_spline(points, np.eye(len(points)), k=min(3, len(points) - 1))
     return np.asarray(spline(targets, extrapolate=extrapolate))
@@ -25,7 +26,7 @@ def interpolate_to_ranges(
 
 
 def interpolate_forces(forces: xr.DataArray, rho: float) -> xr.DataArray:
-    """Return forces (..., rho, ...) at one range by the spline of `interpolate_to_ranges`."""
+    """Return forces (...) at one range, from forces with the dimension rho, by the same spline."""
     interpolated: xr.DataArray = xr.apply_ufunc(
         interpolate_to_ranges, forces, forces["rho"], rho, input_core_dims=[["rho"], ["rho"], []]
     )

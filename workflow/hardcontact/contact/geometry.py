@@ -32,9 +32,10 @@ class ContactGeometry:
     positions: NDArray[np.int_]
 
     def paraboloid(self, offsets: ArrayLike) -> Floats:
-        """Return the height (nm) of the sphere along one axis, k pixels from its apex: (k p)²/2R.
+        """Return the height (nm) of the smooth sphere along one axis, k pixels from its apex.
 
-        The height at (k, l) is the sum of both axes, which makes the force sum separable.
+        It is (k p)²/2R with the pixel size p. The height at the pixel (k, l) is the sum over both
+        axes, which makes the force sum separable.
         """
         return (np.asarray(offsets) * self.pixel_size) ** 2 / (2 * self.radius)
 
@@ -56,12 +57,12 @@ class Bodies:
     """A substrate and a sphere on common pixels, ready for contact."""
 
     substrate: HeightMap  #: Heights z (n, n), periodic.
-    #: Heights u (m, m) of the sphere, periodic, its apex at the origin; None for a smooth sphere.
+    #: Heights u (k, k) of the sphere, periodic, its apex at the origin; None for a smooth sphere.
     sphere_roughness: HeightMap | None
     geometry: ContactGeometry
 
     def sphere_heights(self, rows: NDArray[np.int_], columns: NDArray[np.int_]) -> Floats:
-        """Return the height y - u (k, l) of the sphere in nm, k and l pixels from its apex."""
+        """Return the heights y - u (k, l) in nm at rows (k,) and columns (l,) from the apex."""
         heights = self.geometry.paraboloid(rows)[:, None] + self.geometry.paraboloid(columns)
         if self.sphere_roughness is not None:
             period = self.sphere_roughness.pixels
@@ -88,7 +89,7 @@ def sample_contacts(
 ) -> NDArray[np.int_]:
     """Sample the indices (count, 2) of contacts from the array, each at most once.
 
-    With the same generator a larger sample contains the smaller one.
+    From the same seed, a larger sample begins with the smaller one.
     """
     numbers = rng.permutation(contacts_per_row**2)[:count]
     return np.stack(np.divmod(numbers, contacts_per_row), axis=1)
@@ -121,9 +122,10 @@ def join_bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact
 
 
 def spheres_at_positions(sphere: HeightMap, positions_per_row: int) -> list[HeightMap]:
-    """Return the mirrored scan of a sphere, moved so that it touches at evenly spaced positions.
+    """Return copies of the mirrored scan of a sphere, each moved to touch at another position.
 
-    A single position is the middle of the scan, where `join_bodies` puts the apex.
+    The positions form an even square grid. A single position is the middle of the scan, where
+    `join_bodies` puts the apex.
     """
     scan_pixels = sphere.pixels // 2
     positions = (2 * np.arange(positions_per_row) + 1) * scan_pixels // (2 * positions_per_row)
@@ -147,7 +149,7 @@ def _convert_precision(surface: HeightMap) -> HeightMap:
 
 
 def _refine(surface: HeightMap, pixel_size: float) -> HeightMap:
-    """Return a periodic map on pixels of a size (nm), as many as come nearest to its period."""
+    """Return a periodic map on pixels of a size (nm); its period is rounded to whole pixels."""
     pixels = max(round(surface.size / pixel_size), surface.pixels)
     if pixels != surface.pixels:
         surface = interpolate(surface, pixels)
@@ -167,9 +169,10 @@ def reference_gaps(bodies: Bodies, apex: NDArray[np.int_], offsets: NDArray[np.i
 def reference_gap_map(
     bodies: Bodies, index: tuple[int, int] | NDArray[np.int_], sphere_heights: Floats | None = None
 ) -> Floats:
-    """Return the reference gaps (n, n) of one contact of the array; the apex is at (n/2, n/2).
+    """Return the reference gaps (n, n) in the window of one contact; the apex is at (n/2, n/2).
 
-    The `sphere_heights` in the window are the same for all contacts; None computes them.
+    `index` is row and column in the array. The `sphere_heights` (n, n) in the window are the same
+    for all contacts; None computes them.
     """
     geometry = bodies.geometry
     offset = geometry.offsets()
@@ -181,7 +184,10 @@ def reference_gap_map(
 
 
 def largest_contact_gap(gap: Floats, contact_pixel_count: int) -> float:
-    """Return the largest gap (nm) of the contact pixels, which have the smallest gaps."""
+    """Return the largest gap (nm) of the contact pixels, which have the smallest gaps.
+
+    The gap may have any shape.
+    """
     if gap.ndim == 2 and contact_pixel_count <= len(gap):
         # As many rows as pixels touch have their lowest gap at or below this bound.
         row_minima = gap.min(axis=1)
@@ -190,7 +196,10 @@ def largest_contact_gap(gap: Floats, contact_pixel_count: int) -> float:
 
 
 def square_around_lowest(gap: Floats, pixels: int) -> Floats:
-    """Return the square (pixels, pixels) about the lowest point of a gap map (n, n)."""
+    """Return the square (pixels, pixels) about the lowest point of a gap map (n, n).
+
+    A square that would cross the border of the map is moved into it.
+    """
     lowest = np.unravel_index(gap.argmin(), gap.shape)
     row, column = np.clip(np.array(lowest) - pixels // 2, 0, gap.shape[0] - pixels)
     return gap[row : row + pixels, column : column + pixels]

@@ -23,7 +23,8 @@ STRONGEST_WORK = 10.6
 #: no resources/; a test compares it with `published.effective_modulus`.
 RUBY_ON_DIAMOND_MODULUS = 1 / ((1 - 0.29**2) / 365e9 + (1 - 0.22**2) / 1010e9)
 #: Hardness in Pa below which this modulus is not assumed: a tenth of the ruby's. Moduli are ten to
-#: some hundred times the hardness, so that such bodies may be ten times as compliant.
+#: some hundred times the hardness, so that softer bodies may be ten times as compliant as ruby on
+#: diamond.
 SOFT_HARDNESS = 2.5e9
 #: Largest relative change of the force by elasticity that is negligible.
 MAX_SOFTENING = 0.1
@@ -70,7 +71,7 @@ def smooth_pull_off(work: Values, radius: Values, area: Values, rho: Values) -> 
 
 
 def limit_forces(forces: Values, bound: Values) -> Values:
-    """Return forces or ends of intervals up to a bound; infinite ends stay.
+    """Return forces or ends of intervals, at most a bound, in the same unit; infinite ends stay.
 
     workflow/report/theory.md (Upper bound of the force) has the proof for a smooth sphere.
     """
@@ -111,7 +112,7 @@ def effective_work_of_adhesion(force: Values, radius: Values, coefficient: Value
 
 
 class Elasticity(StrEnum):
-    """Whether elasticity reduces the force of a smooth sphere much (SOFT), or not (HARD).
+    """Whether elasticity reduces the force of a smooth sphere by over MAX_SOFTENING (SOFT) or not.
 
     UNKNOWN: the effective modulus is not known.
     """
@@ -125,7 +126,10 @@ def assumed_modulus(hardness: float) -> float:
 
 
 def judge_tabor_parameter(contact: Contact, effective_modulus: float) -> Number:
-    """Return the Tabor parameter, the range of adhesion as spacing; its status is `Elasticity`."""
+    """Return the Tabor parameter with the range of adhesion in place of z0.
+
+    Its status is an `Elasticity`: whether elasticity matters.
+    """
     if math.isnan(effective_modulus):
         return Number("tabor_parameter", effective_modulus, status=Elasticity.UNKNOWN)
     value = float(tabor_parameter(contact.work, contact.radius, effective_modulus, contact.rho))

@@ -19,7 +19,7 @@ from hardcontact.surfaces.height_map import HeightMap
 
 #: Pixels on either side of the deepest pixel in the maps of one contact.
 MAP_HALF_WIDTH = 32
-#: The units of `IndentSizes`.
+#: The fields of `IndentSizes`, with their units.
 INDENT_UNITS = {"depth": "nm", "equal_area_side": "nm", "longer_side": "nm", "indent_count": "1"}
 
 
@@ -52,9 +52,9 @@ def indents_of_scans(
 ) -> xr.Dataset:
     """Return the indents that every substrate scan leaves in every sphere scan.
 
-    Ascending preloads (N) replace the preload of the contact. Returns `IndentSizes` (scan,
-    sphere_scan, preload, contact_y, contact_x) and, for the contact of median depth at the largest
-    preload, the maps ``indentation`` and ``sphere_height`` in nm.
+    The preloads (N) replace the preload of the contact. Returns the fields of `IndentSizes` (scan,
+    sphere_scan, preload, contact_y, contact_x). For the contact of median depth at the largest
+    preload, returns the maps ``indentation`` (preload, y, x) and ``sphere_height`` (y, x) in nm.
     """
 
     def make_bodies(scan: int, sphere_scan: int) -> Bodies:

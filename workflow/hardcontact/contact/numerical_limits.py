@@ -26,8 +26,8 @@ DEPTH_OVER_RANGE = {precision: limit - 40 for precision, limit in EXP_LIMITS.ite
 SHORTEST_WHOLE_RANGE = 490 / EXP_LIMITS[np.float64]
 #: A range of adhesion (nm) much shorter than the published 5.6 nm. It shows what a far reach does.
 SHORT_ADHESION_RANGE = 1.0
-#: Largest penetration relative to the range of adhesion, for a smooth sphere: its force sums lose
-#: 11 of 16 digits, because exp(25) is 7e10.
+#: Largest penetration relative to the range of adhesion that a study accepts. It is cautious:
+#: `force_sum` keeps its digits beyond it.
 PENETRATION_OVER_RANGE = 25.0
 #: Upper limits of scan width / search size, with the lowest and highest mean force on a mirrored
 #: scan relative to the 20 µm surface from which it was cut; larger scans had 0.95 to 1.14. Source:
@@ -59,13 +59,12 @@ def minimum_range(radius: float, window: float, extent: Extent) -> tuple[float, 
     if window >= 2 * extent.size:
         # The highest pixel is within half a period of every contact; the sphere curves above it.
         relief = min(relief, extent.size**2 / radius)
-    reasons = {
-        relief / RELIEF_OVER_RANGE: f"contacts lie up to some {relief:.4g} nm apart in height",
-        2 * extent.pixel_size**2 / radius: "an interaction radius sqrt(D rho) of two pixels needs "
-        f"it at R = {format_length(radius)}",
-    }
-    shortest = max(reasons)
-    return round_to_three_digits(shortest, math.ceil), reasons[shortest]
+    two_pixels = "an interaction radius sqrt(D rho) of two pixels needs it at R = "
+    shortest, reason = max(
+        (relief / RELIEF_OVER_RANGE, f"contacts lie up to some {relief:.4g} nm apart in height"),
+        (2 * extent.pixel_size**2 / radius, f"{two_pixels}{format_length(radius)}"),
+    )
+    return round_to_three_digits(shortest, math.ceil), reason
 
 
 def periods_in_window(window: float, scan_size: float) -> float:
@@ -82,7 +81,7 @@ def penetration_depth(contact: Contact, relief: float) -> float:
 
 
 def finite_scan_ratio(size: float, search_size: float) -> tuple[float, float]:
-    """Return the smallest and largest force on a scan of a size (nm), relative to a large scan.
+    """Return the smallest and largest mean force on a scan of a size (nm) relative to a large scan.
 
     Both are 1 from LARGE_SIZE_RATIO on, where they were 0.95 to 1.14. Below SMALLEST_SIZE_RATIO
     they are the ratios of the smallest tested scans.
@@ -92,7 +91,7 @@ def finite_scan_ratio(size: float, search_size: float) -> tuple[float, float]:
 
 
 def window_share(contact: Contact, rho: ArrayLike) -> NDArray[np.float64]:
-    """Return the share of the attraction of a smooth sphere within its window, by range.
+    """Return the share (...) of a smooth sphere's attraction within its window, at ranges (...).
 
     The attraction is proportional to exp(-r²/(2 R rho)) at the distance r from the apex (Eq. 3), so
     that a square window of width L holds the share erf(L/sqrt(8 R rho))².

@@ -1,4 +1,4 @@
-"""Patches of pixels: groups that share edges or corners."""
+"""Patches: groups of pixels that share edges or corners."""
 
 import numpy as np
 import scipy
@@ -9,7 +9,7 @@ from hardcontact.contact.geometry import Bodies
 
 
 def label_patches(pixels: NDArray[np.int_]) -> tuple[NDArray[np.int_], int]:
-    """Return the patch (...) of pixels (..., 2), which share edges or corners, and their number."""
+    """Return the number (...) of the patch of each pixel (..., 2), from 1, and the patch count."""
     corner = pixels.reshape(-1, 2).min(axis=0)
     rows, columns = np.moveaxis(pixels - corner, -1, 0)
     is_set = np.zeros((rows.max() + 1, columns.max() + 1), bool)

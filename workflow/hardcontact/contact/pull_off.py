@@ -95,8 +95,9 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     """Return the rigid and plastic pull-off force of two bodies at every contact and range.
 
     Returns ``pull_off_force`` (contact_model, rho, contact_y, contact_x) in N at 1 J/m²,
-    ``apex_height`` in nm, ``contact_pixel_count`` and ``touched_patches``. Raises ValueError if a
-    range is too short for the relief of the surface.
+    ``apex_height`` (contact_model, contact_y, contact_x) in nm, ``contact_pixel_count``
+    (contact_model) and ``touched_patches``. Raises ValueError if a range is too short for the
+    relief of the surface.
     """
     pixel_size = bodies.geometry.pixel_size
     counts = pixel_counts(bodies, [replace(contact, plastic=False), contact])

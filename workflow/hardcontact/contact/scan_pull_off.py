@@ -19,7 +19,7 @@ def pull_off_on_spheres(
 ) -> xr.Dataset:
     """Return `pull_off_dataset` for each scan of the sphere on one substrate: (sphere_scan, ...).
 
-    Contacts are numbered, because their positions differ between pixel sizes.
+    Contacts have numbers in place of positions, which differ between pixel sizes.
     """
     forces = {}
     for sphere_scan, bodies in all_bodies.items():
@@ -70,10 +70,11 @@ def wider_window_change(
 def pull_off_with_checks(
     all_bodies: Mapping[int, Bodies], contact: Contact, ranges: Sequence[float]
 ) -> xr.Dataset:
-    """Return `pull_off_on_spheres` of one substrate scan, with three numbers to judge forces by.
+    """Return `pull_off_on_spheres` of one substrate scan, with three variables to judge forces by.
 
     ``wider_window_change`` is at the range of the contact, ``finer_pixel_ratio`` at the shortest
-    range on the first sphere scan. ``smooth_sphere_force`` (contact_model, rho) is a mean.
+    range on the first sphere scan. ``smooth_sphere_force`` (contact_model, rho) is
+    the mean over contacts in N at 1 J/m².
     """
     forces = pull_off_on_spheres(all_bodies, contact, ranges)
     plastic_forces = forces["pull_off_force"].sel(contact_model=PLASTIC)

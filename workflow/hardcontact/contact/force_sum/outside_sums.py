@@ -9,7 +9,7 @@ Contact pixels are excluded, because `pull_off` adds exp(0) = 1 for each. There 
 - `sums_by_subtraction` sums over all pixels and subtracts those in contact. It is fast, but loses
   digits at short ranges, because a pixel that penetrates by d has the term exp(d/rho).
 - `_sums_by_omission`, for short ranges and rough spheres, leaves out the pixels that touch in any
-  contact. Then it adds to each contact the pixels of the others.
+  contact. Then it adds to each contact the pixels that touch only in others.
 
 Exponentials are relative to the highest points of z and u, so that none overflows.
 """
@@ -28,8 +28,8 @@ from hardcontact.contact.force_sum.touched_pixels import TouchedPixels, exponent
 from hardcontact.contact.geometry import Bodies
 from hardcontact.contact.numerical_limits import DEPTH_OVER_RANGE
 
-#: Looked up once: it takes milliseconds.
-LIBRARIES = ThreadpoolController()
+#: Finds the threads of libraries; made once, because the search takes milliseconds.
+THREAD_POOLS = ThreadpoolController()
 #: Largest penetration, in ranges of adhesion, at which contact pixels are subtracted, by the
 #: precision of heights. Its exponential multiplies the error: by 7 at 7 digits, by 400 at 16.
 MAX_PENETRATION = {np.float32: 2.0, np.float64: 6.0}
@@ -40,12 +40,12 @@ def outside_sums(
 ) -> Floats:
     """Return the sum (rho, contact_y, contact_x) of exp(-(g + m)/rho) outside plastic contact.
 
-    m is the height of the apex at closest approach.
+    m is the height of the apex at plastic closest approach.
     """
     all_ranges = np.asarray(ranges, float)
     sums = np.empty((len(all_ranges), *[len(bodies.geometry.positions)] * 2))
     are_shallow = _are_shallow(bodies, contact_pixels, all_ranges)
-    with LIBRARIES.limit(limits=1, user_api="blas"):
+    with THREAD_POOLS.limit(limits=1, user_api="blas"):
         for is_chosen, method in (
             (are_shallow, sums_by_subtraction),
             (~are_shallow, _sums_by_omission),
@@ -77,11 +77,11 @@ def _are_shallow(
 def _sums_by_omission(
     bodies: Bodies, contact_pixels: ContactPixels, ranges: Sequence[float]
 ) -> Floats:
-    """Return `outside_sums` where no sum contains contact pixels, in double precision."""
+    """Return `outside_sums`, in double precision, without subtracting contact pixels."""
     substrate = bodies.substrate
     roughness = bodies.sphere_roughness
     touched_pixels = TouchedPixels(bodies, contact_pixels)
-    touching = substrate.heights[touched_pixels.row, touched_pixels.column].astype(float)
+    touched_heights = substrate.heights[touched_pixels.row, touched_pixels.column].astype(float)
     highest_substrate = float(substrate.heights.max())
     highest_roughness = 0.0 if roughness is None else float(roughness.heights.max())
     highest = highest_substrate + highest_roughness
@@ -89,9 +89,10 @@ def _sums_by_omission(
     sphere_terms = smooth_sphere_terms if roughness is None else rough_sphere_terms
     terms = sphere_terms(bodies, touched_pixels, ranges)
     for k, (rho, (totals, factor)) in enumerate(zip(ranges, terms, strict=True)):
-        attraction = exponential(touching, highest_substrate, rho)
+        substrate_factor = exponential(touched_heights, highest_substrate, rho)
         for index in np.ndindex(totals.shape):
+            touched_terms = substrate_factor * factor(index)
             sums[k][index] = touched_pixels.sum_outside(
-                index, float(totals[index]), attraction * factor(index), highest, rho
+                index, float(totals[index]), touched_terms, highest, rho
             )
     return sums

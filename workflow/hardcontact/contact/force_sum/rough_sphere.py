@@ -1,4 +1,7 @@
-"""Sums over a rough sphere: the correlation of exp(z/rho) with the kernel exp((u - y)/rho)."""
+"""Sums over a rough sphere: the correlation of exp(z/rho) with the kernel exp((u - y)/rho).
+
+`geometry` defines the heights z, u and y.
+"""
 
 from collections.abc import Iterator, Sequence
 from itertools import product
@@ -12,21 +15,24 @@ from hardcontact.contact.geometry import Bodies, ContactGeometry
 
 #: Rows of the kernel that are made at once: few enough for the cache.
 KERNEL_ROWS = 64
-#: Smallest sum, relative to the norms of its factors, that Fourier transforms give to 1e-9.
+#: Rows of the kernel that `_correlation_by_products` multiplies at once: few enough for the cache.
+MULTIPLIED_ROWS = 4
+#: Smallest sum, relative to the norms of its factors, that Fourier transforms give to 1e-9: they
+#: have an error of 1e-15.
 SMALLEST_TRANSFORMED = 1e-6
 
 
 def rough_sphere_terms(
     bodies: Bodies, touched_pixels: TouchedPixels, ranges: Sequence[float]
 ) -> Iterator[SphereTerms]:
-    """Yield the `SphereTerms` of each range, relative to the highest u of the rough sphere."""
+    """Yield the `SphereTerms` of each range."""
     assert bodies.sphere_roughness is not None
     pixels = bodies.substrate.pixels
     positions = bodies.geometry.positions
     heights = bodies.substrate.heights.astype(float)
     roughness = bodies.sphere_roughness.heights.astype(float)
-    # Rows, as flat indices, and columns of contact pixels from each position: (position, pixels).
-    rows = (touched_pixels.row - positions[:, None]) % pixels * pixels
+    # (position, touched): first flat index of the kernel's row at a touched pixel, and its column.
+    row_starts = (touched_pixels.row - positions[:, None]) % pixels * pixels
     columns = (touched_pixels.column - positions[:, None]) % pixels
     for rho in ranges:
         sphere_factor = exponential(roughness, float(roughness.max()), rho)
@@ -35,7 +41,7 @@ def rough_sphere_terms(
         touched_pixels.leave_out(substrate_factor)
 
         def factor(index: tuple[int, int], kernel: Floats = kernel) -> Floats:
-            return np.asarray(kernel.take(rows[index[0]] + columns[index[1]]))
+            return np.asarray(kernel.take(row_starts[index[0]] + columns[index[1]]))
 
         yield SphereTerms(_correlation(substrate_factor, kernel, positions), factor)
 
@@ -48,50 +54,53 @@ def _kernel(
     `sphere_factor` is exp((u - max(u))/rho) on one period of the sphere.
     """
     period = len(sphere_factor)
-    weights = _axis_factors_by_shift(pixels, period, geometry, rho)
+    axis_factors = _axis_factors_by_shift(pixels, period, geometry, rho)
     kernel = np.zeros((pixels, pixels))
     columns = np.arange(pixels)
     for start in range(0, pixels, KERNEL_ROWS):
         rows = columns[start : start + KERNEL_ROWS]
-        for (shift_y, weight_y), (shift_x, weight_x) in product(weights.items(), repeat=2):
+        for (shift_y, factor_y), (shift_x, factor_x) in product(axis_factors.items(), repeat=2):
             shifted = sphere_factor[np.ix_((rows + shift_y) % period, (columns + shift_x) % period)]
-            kernel[rows] += weight_y[rows, None] * weight_x * shifted
+            kernel[rows] += factor_y[rows, None] * factor_x * shifted
     return kernel
 
 
 def _axis_factors_by_shift(
     pixels: int, period: int, geometry: ContactGeometry, rho: float
 ) -> dict[int, Floats]:
-    """Return exp(-y/rho) along one axis, summed over images of the same shift of the roughness."""
-    weights: dict[int, Floats] = {}
+    """Return exp(-y/rho) (n,) along one axis by shift, in pixels, of the sphere's roughness.
+
+    Periodic images of the substrate that meet the same part of the roughness are summed.
+    """
+    factors: dict[int, Floats] = {}
     reach = -(-geometry.window_pixels // (2 * pixels))
     for image in range(-reach, reach):
         offset = np.arange(pixels) + image * pixels
         decay = np.exp(-geometry.paraboloid(offset) / rho)
-        weight = np.where(geometry.window_mask(offset), decay, 0.0)
+        factor = np.where(geometry.window_mask(offset), decay, 0.0)
         shift = image * pixels % period
-        weights[shift] = weights.get(shift, np.zeros(pixels)) + weight
-    return weights
+        factors[shift] = factors.get(shift, np.zeros(pixels)) + factor
+    return factors
 
 
 def _correlation(
     substrate_factor: NDArray[np.floating], kernel: Floats, positions: NDArray[np.int_]
 ) -> Floats:
-    """Return the sum (contact_y, contact_x) of factor times kernel, shifted to each contact.
+    """Return the sums (contact_y, contact_x) of the factor times the kernel about each contact.
 
     Fourier transforms are three times faster than products, but inaccurate for small sums.
     """
-    total = _correlation_by_transforms(substrate_factor, kernel, positions)
+    sums = _correlation_by_transforms(substrate_factor, kernel, positions)
     norm = np.linalg.norm(substrate_factor) * np.linalg.norm(kernel)
-    if total.min() > SMALLEST_TRANSFORMED * norm:
-        return total
+    if sums.min() > SMALLEST_TRANSFORMED * norm:
+        return sums
     return _correlation_by_products(substrate_factor, kernel, positions)
 
 
 def _correlation_by_transforms(
     substrate_factor: NDArray[np.floating], kernel: Floats, positions: NDArray[np.int_]
 ) -> Floats:
-    """Return `_correlation` with an error of 1e-16 of the norms of both factors."""
+    """Return the sums of `_correlation`, with an error of 1e-15 of the product of both norms."""
     from scipy import fft
 
     transform = fft.rfft2(substrate_factor)
@@ -103,16 +112,15 @@ def _correlation_by_transforms(
 def _correlation_by_products(
     substrate_factor: NDArray[np.floating], kernel: Floats, positions: NDArray[np.int_]
 ) -> Floats:
-    """Return `_correlation` with an error relative to each sum."""
-    # Each row of the kernel times one row of the factor for every contact: matrices again.
+    """Return the sums of `_correlation`, accurate if small, because no term is negative."""
     pixels = len(kernel)
-    step = 4
-    total = np.zeros((len(positions),) * 2)
-    for start in range(0, pixels, step):
-        rows = kernel[start : start + step]
-        two_periods = np.concatenate([rows, rows], axis=1)
+    sums = np.zeros((len(positions),) * 2)
+    for start in range(0, pixels, MULTIPLIED_ROWS):
+        kernel_rows = kernel[start : start + MULTIPLIED_ROWS]
+        two_periods = np.tile(kernel_rows, 2)
         shifted = np.lib.stride_tricks.sliding_window_view(two_periods, pixels, axis=1)
-        shifted_rows = np.arange(start, start + len(rows))[:, None] + positions
-        columns = shifted[:, pixels - positions]
-        total += (substrate_factor[shifted_rows % pixels] @ columns.transpose(0, 2, 1)).sum(axis=0)
-    return total
+        row_indices = np.arange(start, start + len(kernel_rows))[:, None] + positions
+        # For each row of the kernel, both bodies have a matrix (contact, n).
+        sphere_rows = shifted[:, pixels - positions].transpose(0, 2, 1)
+        sums += (substrate_factor[row_indices % pixels] @ sphere_rows).sum(axis=0)
+    return sums

@@ -19,7 +19,7 @@ def sums_by_subtraction(
 ) -> Floats:
     """Return `outside_sums` on a smooth sphere: sums over all pixels less those in contact."""
     heights = bodies.substrate.heights
-    precision = heights.dtype.type  # `join_bodies` permits these two.
+    precision = heights.dtype.type  # `join_bodies` permits single and double precision.
     highest = float(heights.max())
     factors: list[NDArray[np.floating]] = [
         axis_factors(len(heights), bodies.geometry, rho).astype(precision) for rho in ranges
@@ -40,8 +40,6 @@ def smooth_sphere_terms(
     bodies: Bodies, touched_pixels: TouchedPixels, ranges: Sequence[float]
 ) -> Iterator[SphereTerms]:
     """Yield the `SphereTerms` of each range."""
-    row = touched_pixels.row
-    column = touched_pixels.column
     factors = [axis_factors(bodies.substrate.pixels, bodies.geometry, rho) for rho in ranges]
     heights = bodies.substrate.heights
     blocks = _row_blocks(heights, np.float64, float(heights.max()), ranges, touched_pixels)
@@ -49,7 +47,8 @@ def smooth_sphere_terms(
     for total, axis_factor in zip(totals, factors, strict=True):
 
         def factor(index: tuple[int, int], axis_factor: Floats = axis_factor) -> Floats:
-            return np.asarray(axis_factor[index[0], row] * axis_factor[index[1], column])
+            row_factor = axis_factor[index[0], touched_pixels.row]
+            return np.asarray(row_factor * axis_factor[index[1], touched_pixels.column])
 
         yield SphereTerms(total, factor)
 
@@ -57,10 +56,10 @@ def smooth_sphere_terms(
 def axis_factors(pixels: int, geometry: ContactGeometry, rho: float) -> Floats:
     """Return G = exp(-y/rho) along one axis, summed over images in the window: (contact, n)."""
     offset = geometry.offsets()
-    weight = np.exp(-geometry.paraboloid(offset) / rho)
+    decay = np.exp(-geometry.paraboloid(offset) / rho)
     positions = geometry.positions
     return np.array(
-        [np.bincount((position + offset) % pixels, weight, pixels) for position in positions]
+        [np.bincount((position + offset) % pixels, decay, pixels) for position in positions]
     )
 
 
@@ -70,13 +69,13 @@ def _contact_sums(
 ) -> Floats:
     """Return G exp((z - highest)/rho) G^T, (rho, contact_y, contact_x), from blocks of rows.
 
-    A block has its rows and the exponentials (rows, n) by range; `factors` has G by range.
+    A block has its rows, and exp((z - highest)/rho) (rows, n) by range; `factors` has G by range.
     """
     columns = [np.ascontiguousarray(axis_factor.T) for axis_factor in factors]
     sums = np.zeros((len(factors), *[len(factors[0])] * 2))
-    for rows, attractions in blocks:
-        for k, attraction in enumerate(attractions):
-            sums[k] += factors[k][:, rows] @ (attraction @ columns[k])
+    for rows, substrate_factors in blocks:
+        for k, substrate_factor in enumerate(substrate_factors):
+            sums[k] += factors[k][:, rows] @ (substrate_factor @ columns[k])
     return sums
 
 
@@ -87,32 +86,32 @@ def _row_blocks(
     ranges: Sequence[float],
     touched_pixels: TouchedPixels | None = None,
 ) -> Iterator[tuple[slice, list[NDArray[np.floating]]]]:
-    """Yield the rows of each block and its exponentials, in a precision; zero at touched pixels."""
+    """Yield the blocks of `_contact_sums`, in a precision; zero at touched pixels, if any."""
     for start in range(0, len(heights), BLOCK_ROWS):
         rows = slice(start, start + BLOCK_ROWS)
         block = heights[rows].astype(precision, copy=False)
-        attractions = _exponentials(block, highest, ranges)
+        substrate_factors = _exponentials(block, highest, ranges)
         if touched_pixels is not None:
-            for attraction in attractions:
-                touched_pixels.leave_out(attraction, start)
-        yield rows, attractions
+            for substrate_factor in substrate_factors:
+                touched_pixels.leave_out(substrate_factor, start)
+        yield rows, substrate_factors
 
 
 def _exponentials(
     heights: NDArray[np.floating], highest: float, ranges: Sequence[float]
 ) -> list[NDArray[np.floating]]:
     """Return `exponential` at every range; at rho/2 it is the square of its value at rho."""
-    attractions: dict[float, NDArray[np.floating]] = {}
+    by_range: dict[float, NDArray[np.floating]] = {}
     for rho in sorted(ranges, reverse=True):
-        longer = attractions.get(2 * rho)
-        attractions[rho] = exponential(heights, highest, rho) if longer is None else longer**2
-    return [attractions[rho] for rho in ranges]
+        root = by_range.get(2 * rho)
+        by_range[rho] = exponential(heights, highest, rho) if root is None else root**2
+    return [by_range[rho] for rho in ranges]
 
 
 def _fold_mirror_images(
     heights: NDArray[np.floating], factors: list[NDArray[np.floating]]
 ) -> tuple[NDArray[np.floating], list[NDArray[np.floating]]]:
-    """Return a quarter of mirrored heights (n, n), and the factors summed over its images.
+    """Return the scan, a quarter of mirrored heights (n, n), and factors summed over its images.
 
     Other heights and their factors are returned as they are.
     """
@@ -120,7 +119,7 @@ def _fold_mirror_images(
         return heights, factors
     scan_pixels = len(heights) // 2
     folded_factors = [
-        axis_factor[:, :scan_pixels] + axis_factor[:, : scan_pixels - 1 : -1]
+        axis_factor[:, :scan_pixels] + axis_factor[:, scan_pixels:][:, ::-1]
         for axis_factor in factors
     ]
     return heights[:scan_pixels, :scan_pixels], folded_factors

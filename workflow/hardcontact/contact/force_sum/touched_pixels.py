@@ -1,4 +1,7 @@
-"""Contact pixels of an array of contacts, which the sums of exp(-gap/rho) exclude."""
+"""Touched pixels, which the sums of exp(-gap/rho) exclude: they touch in any contact of an array.
+
+`geometry` defines the heights z, u and y.
+"""
 
 from collections.abc import Callable
 from typing import NamedTuple
@@ -12,11 +15,12 @@ from hardcontact.contact.geometry import Bodies, reference_gaps
 
 
 class SphereTerms(NamedTuple):
-    """The terms of the sums at one range, relative to the highest z and u."""
+    """The terms of the sums at one range; z and u are relative to their highest points."""
 
     #: (contact_y, contact_x), sums of exp((z + u - y)/rho) over pixels that touch in no contact.
     totals: Floats
-    #: Returns exp((u - y)/rho) (pixels,) of a contact (i, j) at the pixels that touch in any.
+    #: Returns exp((u - y)/rho) (touched,) of a contact (i, j) at the touched pixels. Their factors
+    #: exp(z/rho) are the same for all contacts.
     factor: Callable[[tuple[int, int]], Floats]
 
 
@@ -30,34 +34,34 @@ def exponential(heights: NDArray[np.floating], highest: float, rho: float) -> ND
 class TouchedPixels:
     """The pixels of the substrate that touch in any contact of an array, each once.
 
-    `row` and `column` (pixels,) are their positions on the substrate, by rows.
+    `row` and `column` (touched,) are their positions on the substrate, ordered by rows.
     """
 
     def __init__(self, bodies: Bodies, contact_pixels: ContactPixels) -> None:
         pixels = bodies.substrate.pixels
         apexes = bodies.geometry.apexes()
-        touching = (apexes[:, :, None] + contact_pixels.offsets) % pixels @ (pixels, 1)
-        flat = np.unique(touching)
-        self.row, self.column = np.divmod(flat, pixels)
-        self._indices_of_contact = np.searchsorted(flat, touching)
+        touching = _flat_indices(apexes[:, :, None] + contact_pixels.offsets, pixels)
+        touched = np.unique(touching)
+        self.row, self.column = np.divmod(touched, pixels)
+        self._indices_of_contact = np.searchsorted(touched, touching)
         self._largest_gaps = contact_pixels.reference_gaps[..., -1]
         self._image_gaps = {
             index: _image_gaps(bodies, apexes[index], contact_pixels.offsets[index])
             for index in np.ndindex(self._largest_gaps.shape)
         }
 
-    def leave_out(self, terms: NDArray[np.floating], first_row: int = 0) -> None:
-        """Set the touching pixels to zero in `terms` (k, n), whose rows begin at `first_row`."""
-        block = slice(*np.searchsorted(self.row, [first_row, first_row + len(terms)]))
-        terms[self.row[block] - first_row, self.column[block]] = 0.0
+    def leave_out(self, block: NDArray[np.floating], first_row: int = 0) -> None:
+        """Set the touched pixels to zero in a block (k, n) of rows that begin at `first_row`."""
+        start, end = np.searchsorted(self.row, [first_row, first_row + len(block)])
+        block[self.row[start:end] - first_row, self.column[start:end]] = 0.0
 
     def sum_outside(
         self, index: tuple[int, int], total: float, terms: Floats, highest: float, rho: float
     ) -> float:
         """Return the sum of exp(-gap/rho) outside a contact (i, j), at plastic closest approach.
 
-        `total` is the sum over the pixels that touch in no contact. The `terms` (pixels,) of the
-        touching pixels are overwritten. Both are for the apex at height 0, relative to
+        `total` is the sum over the pixels that touch in no contact. The terms (touched,) of the
+        touched pixels are overwritten. Both are for the apex at height 0, relative to
         exp(highest/rho).
         """
         terms[self._indices_of_contact[index]] = 0.0
@@ -66,14 +70,24 @@ class TouchedPixels:
         return float(np.exp((largest_gap + highest) / rho) * (total + terms.sum()) + image_sum)
 
 
+def _flat_indices(positions: NDArray[np.int_], pixels: int) -> NDArray[np.int_]:
+    """Return the flat indices (...) of positions (..., 2) on a periodic map of n x n pixels."""
+    row, column = np.moveaxis(positions % pixels, -1, 0)
+    return np.asarray(row * pixels + column)
+
+
 def _image_gaps(bodies: Bodies, apex: NDArray[np.int_], offsets: NDArray[np.int_]) -> Floats:
-    """Return the reference gaps (k,) of periodic images of contact pixels within the window."""
+    """Return the reference gaps (k,) of periodic images of contact pixels within the window.
+
+    A window wider than the substrate shows contact pixels again. These images are not in contact,
+    and so they attract.
+    """
     pixels = bodies.substrate.pixels
     geometry = bodies.geometry
     if geometry.window_pixels <= pixels:
         return np.empty(0)
     reach = -(-geometry.window_pixels // (2 * pixels))
-    flat, inverse = np.unique(offsets % pixels @ (pixels, 1), return_inverse=True)
+    flat, inverse = np.unique(_flat_indices(offsets, pixels), return_inverse=True)
     periods = pixels * np.arange(-reach, reach)
     row, column = np.divmod(flat, pixels)
     y = row[:, None] + periods
