@@ -71,7 +71,7 @@ def read_dataset(path: str | Path) -> xr.Dataset:
 def read_by_key(
     keys: Iterable[Sequence[Any]], paths: Iterable[str | Path]
 ) -> dict[tuple[Any, ...], xr.Dataset]:
-    """Read one dataset for each key, for `stack`."""
+    """Read one dataset for each key; the keys are those of `DatasetsByLabels`."""
     return {tuple(key): read_dataset(path) for key, path in zip(keys, paths, strict=True)}
 
 
@@ -95,7 +95,7 @@ def stack(datasets: DatasetsByLabels, dimensions: Sequence[str]) -> xr.Dataset:
 
     Labels keep the order of the keys. Inner labels are sorted if they differ between outer labels.
     """
-    if not dimensions:
+    if not dimensions:  # The recursion ends at a single dataset, whose key is empty.
         return datasets[()]
     groups: dict[Any, dict[tuple[Any, ...], xr.Dataset]] = {}
     for (outer, *inner), dataset in datasets.items():
@@ -117,7 +117,7 @@ def variables_of_columns(
 
 
 def add_surface_names(dataset: xr.Dataset, parameters: Mapping[str, Any]) -> xr.Dataset:
-    """Return a dataset with `labels` and `source` of the parameters for each of its surfaces."""
+    """Return a dataset with the variables ``label`` and ``source`` (surface), from parameters."""
     surfaces = dataset["surface"].values.tolist()
     return dataset.assign(
         label=("surface", [parameters["labels"][surface] for surface in surfaces]),

@@ -107,8 +107,9 @@ def format_quantity(
 ) -> str:
     """Return a number with its unit and its interval: "1.7 µm" or "0.64 [0.5, 0.8] µN".
 
-    Number and interval are in `unit`, a key of PRINTED_UNITS. Unknown ends are NaN. The ends 0 and
-    infinity exclude nothing. With the `open_end` "high": "0.64 µN (at least 0.5 µN)".
+    Number and interval are in `unit`, a key of PRINTED_UNITS. Unknown ends are NaN. If the interval
+    `is_unbounded` or extends from 0 to infinity, it is printed as "[not bounded]".
+    With the `open_end` "high": "0.64 µN (at least 0.5 µN)".
     """
     is_finite = math.isfinite(sum(interval))
     unbounded = is_finite and is_unbounded(value, *interval, unit)
@@ -144,10 +145,10 @@ def format_as_paper(
 
 
 def is_unbounded(value: float, low: float, high: float, unit: str) -> bool:
-    """Return whether the ends of an interval differ by more than `MAX_END_RATIO`; False for NaN.
+    """Return whether the ends differ by more than a factor of `MAX_END_RATIO`; False for NaN.
 
-    If the interval contains zero, its farther end is compared with the value. A number without a
-    unit, such as an exponent, counts as at least one.
+    If the interval contains zero, its farther end is compared with the value, or with one if a
+    value without a unit, such as an exponent, is smaller.
     """
     near, far = sorted((abs(low), abs(high)))
     if low <= 0 <= high:

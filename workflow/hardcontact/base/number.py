@@ -8,22 +8,22 @@ from typing import Any, Literal, NamedTuple
 class NumberStatus(StrEnum):
     """Codes of `Number.status` for any quantity.
 
-    Codes of one quantity are in the module that computes it. Pages turn codes into words.
+    Codes of a single quantity are in the module that computes it. Pages turn codes into words.
     """
 
     #: Nothing to add to the number and its interval.
     PLAIN = ""
-    #: PLAIN in JSON, where no status is empty: the value is known.
+    #: Stands in JSON, where no status is empty, for PLAIN if the value is finite.
     KNOWN = "known"
     #: Only ends of the interval are known.
     ONLY_ENDS = "ends"
-    #: Neither the value nor an end is known.
+    #: The value is not known. Also stands in JSON for PLAIN if the value is NaN or infinite.
     NOT_KNOWN = "not_known"
     #: The interval has no known low end, which lies below `low`.
     INTERVAL_OPEN_LOW = "interval_open_low"
     #: The interval has no known high end, which lies above `high`.
     INTERVAL_OPEN_HIGH = "interval_open_high"
-    #: Scans do not bound the number.
+    #: There is no interval, because scans do not limit the number.
     NO_INTERVAL = "no_interval"
 
 

@@ -20,7 +20,10 @@ CLAIMS = "resources/paper/claims.csv"
 
 
 def effective_modulus(constants: Mapping[Any, Any]) -> float:
-    """Return the contact modulus E* (Pa) from `constants.csv`: 1/E* is the sum of (1 - nu²)/E."""
+    """Return the effective modulus E* (Pa) of both bodies: 1/E* is the sum of (1 - nu²)/E.
+
+    `constants` has the values of `constants.csv` by quantity.
+    """
     return 1 / sum(
         (1 - float(constants[f"{body}_poisson_ratio"]) ** 2)
         / float(constants[f"{body}_youngs_modulus"])
@@ -48,7 +51,10 @@ def read_published_forces(path: str | Path, dtype: type[str] | None = None) -> p
 
 
 def read_table1(path: str | Path) -> pd.DataFrame:
-    """Read `table1.csv`: the roughness metrics of Table 1, one row per number and surface."""
+    """Read `table1.csv`: the roughness metrics of Table 1, one row per number and surface.
+
+    Its slopes are read as rms gradients, its curvatures as half rms Laplacians.
+    """
     return pd.read_csv(path)
 
 
@@ -59,13 +65,10 @@ def surfaces_of_table1() -> set[str]:
 
 
 def rows_of_surface(table1: pd.DataFrame, surface: str) -> pd.DataFrame:
-    """Return the rows of a surface in Table 1, by quantity; none if it is not there.
-
-    Slopes of Table 1 are read as rms gradients, curvatures as half rms Laplacians.
-    """
+    """Return the rows of a surface in Table 1, by quantity; an empty table if it has none."""
     return table1[table1["surface"] == surface].set_index("quantity")
 
 
-def rows_met(row_names: str) -> list[str]:
-    """Return the rows of Table 1 that an attribute or variable `table1_rows_met` names."""
-    return [row for row in row_names.split(",") if row]
+def split_row_names(row_names: str) -> list[str]:
+    """Split an attribute or variable `table1_rows_met` into the names of rows of Table 1."""
+    return [name for name in row_names.split(",") if name]

@@ -71,9 +71,10 @@ def percentile_interval(samples: ArrayLike, confidence: float) -> Floats:
 
 
 def widen_interval(dataset: xr.Dataset, name: str, error: xr.DataArray) -> xr.Dataset:
-    """Widen the interval of a positive variable by an independent error, given as a factor.
+    """Return a dataset with a wider interval of a positive variable, by an independent error.
 
-    The logarithms of the interval's half width and of the error add in squares.
+    The error is a factor; NaN stands for no error. The logarithms of the interval's half width and
+    of the error add in squares.
     """
     value = dataset[name]
     log_error = abs(np.log(error.fillna(1)))
@@ -140,7 +141,7 @@ def jackknife_interval(value: ArrayLike, leave_one_out: ArrayLike, confidence: f
     """Return the interval (..., 2) of a positive statistic of n scans by the jackknife.
 
     `leave_one_out` (n, ...) has the statistic without each scan. The interval is Student's t on the
-    logarithm; NaN for fewer than two scans, or if a statistic is zero.
+    logarithm; NaN for fewer than two scans, or if a statistic is not positive.
     """
     statistics = np.asarray(leave_one_out, float)
     logarithms = np.log(np.where(statistics > 0, statistics, np.nan))
@@ -178,9 +179,9 @@ class Sampling:
         return generator(self.seed, *self.stream, *names)
 
     def sample_means(self, name: str, values: xr.DataArray, dim: str) -> xr.DataArray:
-        """Return means over scans along a dimension, then samples (1 + sample, surface, ...).
+        """Return an array (sample, surface, ...): first means over scans along `dim`, then samples.
 
-        Missing scans are NaN. Random numbers depend on `name` and on the surface alone.
+        Missing scans are NaN. For one seed, random numbers depend on `name` and the surface alone.
         """
         values = values.transpose("surface", dim, ...)
         means = values.mean(dim)
@@ -202,7 +203,7 @@ class Sampling:
         sampled_values: Floats,
         attributes: dict[str, Any],
     ) -> dict[str, Any]:
-        """Return a value (...) and the interval of its samples, from both (1 + sample, ...)."""
+        """Return variables of a value, the first of (sample, ...), and its interval."""
         interval = percentile_interval(sampled_values[1:], self.confidence)
         value = sampled_values[0]
         return as_variables(name, dimensions, value, interval, attributes, self.confidence)

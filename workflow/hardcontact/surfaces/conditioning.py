@@ -139,7 +139,7 @@ def condition_batch(
     """
     amplitude_gain = np.ones_like(WAVEVECTORS)
     factors = np.ones(len(scan_numbers))
-    met_rows = published.rows_met(substitute.spectrum_data.attrs["table1_rows_met"])
+    met_rows = published.split_row_names(substitute.spectrum_data.attrs["table1_rows_met"])
     if targets is not None:
         shares = _component_shares(substitute.grid)
         matrices = [
