@@ -262,7 +262,8 @@ def pull_off_forces(
         - ``apex_height`` (contact_model, contact_y, contact_x) in nm: the height of the sphere's
           apex above the mean plane at closest approach.
         - ``contact_pixel_count`` (contact_model): the number of pixels in contact.
-        - ``touched_patches``: the number of patches of the scan that the contacts touch.
+        - ``touched_patches``: the number of patches, groups of neighbouring pixels of the scan, in
+          which the deepest pixels of the contacts lie.
         - ``wider_window_change``: the largest relative change of plastic forces at the longest
           range if the window is wider by a period of the map on each side.
 
@@ -406,7 +407,8 @@ def predict(
           The status ``"steep_sidewalls"`` means that there is no value, because heights are not
           Gaussian.
         - Band: ``short_edge`` and ``long_edge``, where the force has changed by ``tolerance``. The
-          status ``"outside"`` means that the error is not known.
+          status ``"outside"`` means that the error is not known, and ``"none"`` that no cutoff
+          changes the force so much.
         - Extrapolated spectrum: ``extrapolated_change`` is the relative change of the force by
           waves beyond the spectrum. If its status is ``"matters"``, use ``extrapolated_force``,
           ``extrapolated_short_edge`` and ``extrapolated_long_edge``. ``extrapolated_to`` is the

@@ -31,15 +31,16 @@ from hardcontact.scans.joined_spectrum import ScanSpectrum
 from hardcontact.surfaces.height_map import HeightMap, mirror_in_float32
 from hardcontact.surfaces.spectrum import Spectrum, measured_psds
 from hardcontact.theory.closed_form import closed_form, smooth_force
-from hardcontact.theory.prediction import EDGE_NAMES, prediction
+from hardcontact.theory.prediction import prediction
 from hardcontact.theory.summits import search_size
 from hardcontact.theory.validity import Validity, is_validated, nearest_ratios, table_point
 
 #: Names of the forces and edges in closed form, which have intervals, also for the extrapolated
 #: spectrum.
-CLOSED_FORM_NAMES = ["closed_form_force", "extrapolated_force", *EDGE_NAMES] + [
-    f"extrapolated_{name}" for name in EDGE_NAMES
-]
+CLOSED_FORM_NAMES = {
+    "closed_form_force", "short_edge", "long_edge", "extrapolated_force", "extrapolated_short_edge",
+    "extrapolated_long_edge",
+}  # fmt: skip
 
 
 class ScanSize(StrEnum):
@@ -72,7 +73,7 @@ def prediction_and_scan_force(
     scan_numbers = force_on_scan(own_spectrum, contact, confidence)
     closed_form_on_scan = scan_numbers.get("closed_form_on_scan")
     if closed_form_on_scan is not None and closed_form_on_scan.status != ClosedFormStatus.AGREES:
-        for quantity in numbers.keys() & set(CLOSED_FORM_NAMES):
+        for quantity in numbers.keys() & CLOSED_FORM_NAMES:
             number = numbers[quantity]._replace(low=math.nan, high=math.nan)
             is_known = math.isfinite(number.value)
             numbers[quantity] = number._replace(status=Validity.OUTSIDE) if is_known else number

@@ -22,7 +22,7 @@ from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER
 from hardcontact.surfaces.spectrum import MIN_BINS, WAVEVECTORS, Spectrum, all_scales_rms
 from hardcontact.theory.closed_form import ClosedForm, closed_form, critical_band, smooth_force
 from hardcontact.theory.validity import (
-    VALIDATED_QUANTITIES,
+    EDGE_NAMES,
     Validity,
     is_validated,
     nearest_ratios,
@@ -39,8 +39,6 @@ MAX_NEGLIGIBLE_CHANGE = 0.1
 #: Largest skewness of heights that count as Gaussian. 240 self-affine maps had less than 0.7. On
 #: bumps with a skewness of 1 the closed form was 7 to 15 times too high.
 MAX_SKEWNESS = 1.0
-#: The edges of the band among the predicted quantities.
-EDGE_NAMES = VALIDATED_QUANTITIES[1:]
 #: The point in the table of designed surfaces at which an error is read; None if none is known.
 KnownPoint = Mapping[str, Any] | None
 
@@ -57,12 +55,14 @@ def prediction(
     """Predict the pull-off force and both edges of a sphere on a rough surface, in closed form.
 
     ``extrapolated_force`` is the force of the extrapolated spectrum. If the error is not known,
-    intervals are NaN, and the force is OUTSIDE; with steep sidewalls it has no value. Raises
-    ValueError if `trim_spectrum` refuses the spectrum; messages call it `name`.
+    intervals are NaN, and the force and its edges are OUTSIDE. For scans with steep sidewalls the
+    force has no value, and there are no edges. Raises ValueError if `trim_spectrum` refuses the
+    spectrum; messages call it `name`.
     """
     trimmed = trim_spectrum(spectrum, name)
     inputs = _input_numbers(trimmed, contact, tolerance)
     scans = spectrum if isinstance(spectrum, ScanSpectrum) else None
+    # A share of NaN means that no steep sidewalls were found.
     if scans is not None and scans.joined_dataset["sidewall_slope_share"].notnull().any():
         force = Number("closed_form_force", math.nan, "N", status=Validity.STEEP_SIDEWALLS)
         return numbers_by_name(*inputs, force)
@@ -77,7 +77,8 @@ def prediction(
     extrapolated: list[Number] = []
     if extrapolation is not None and _adds_waves(extrapolation, trimmed):
         extrapolated = _extrapolated_numbers(extrapolation, contact, tolerance, assumptions_hold)
-        change = _force_change("extrapolated_change", extrapolated[0].value, form)
+        extrapolated_force, *_ = extrapolated
+        change = _force_change("extrapolated_change", extrapolated_force.value, form)
     else:
         is_unknown = extrapolation is None and spectrum.density[-1] > 0
         status = Effect.UNKNOWN if is_unknown else Effect.NEGLIGIBLE
@@ -160,7 +161,7 @@ def _spectrum_checks(
 
 
 def _reliable_force(scans: ScanSpectrum, contact: Contact, tolerance: float, name: str) -> Number:
-    """Return the force (N) of the reliable waves of scans; INSIDE if they pass all checks."""
+    """Return the force (N) of the reliable waves of scans; INSIDE if its error is known."""
     reliable_waves = reliable_spectrum(scans.joined_dataset, scans.skewness)
     numbers = prediction(reliable_waves, contact, tolerance, name)
     force = numbers["closed_form_force"]
@@ -169,7 +170,7 @@ def _reliable_force(scans: ScanSpectrum, contact: Contact, tolerance: float, nam
 
 
 def _validated_interval(name: str, value: float, point: KnownPoint) -> tuple[float, float]:
-    """Return the interval of a value at a point; `name` is in VALIDATED_QUANTITIES."""
+    """Return the interval of a value at a point, NaN for None; `name` is a validated quantity."""
     lowest, highest = (math.nan, math.nan) if point is None else nearest_ratios(point, name)
     return value * lowest, value * highest
 
@@ -184,7 +185,7 @@ def _force_number(name: str, form: ClosedForm, point: KnownPoint) -> Number:
 def _edge_numbers(prefix: str, band: tuple[float, float], point: KnownPoint) -> Iterator[Number]:
     """Yield the edges (nm) of a band, named by a prefix and EDGE_NAMES, with their intervals.
 
-    An edge is OUTSIDE if its error is not known, as the force is.
+    An edge is OUTSIDE if its error is not known, as the force is, and NO_EDGE if it is NaN.
     """
     finite_status = Validity.OUTSIDE if point is None else EdgeStatus.FOUND
     for name, edge in zip(EDGE_NAMES, band, strict=True):
@@ -196,7 +197,7 @@ def _edge_numbers(prefix: str, band: tuple[float, float], point: KnownPoint) -> 
 class _Extrapolation(NamedTuple):
     """A spectrum that is extrapolated to short waves, and to long waves up to a roll-off."""
 
-    density: Floats  #: C_iso in nm⁴ at WAVEVECTORS, constant above the roll-off.
+    density: Floats  #: C_iso in nm⁴ at WAVEVECTORS, constant at wavelengths above the roll-off.
     rolloff: float  #: Roll-off in nm; for a table its longest wavelength.
     hurst: float  #: Hurst exponent of the extrapolated short waves; NaN if there are none.
     ended_by: str  #: What ends the extrapolated short waves: `Tail.tail_ended_by`.
@@ -205,7 +206,8 @@ class _Extrapolation(NamedTuple):
 def _extrapolate(spectrum: Spectrum, trimmed: Spectrum) -> _Extrapolation | None:
     """Return the extrapolation of a spectrum; None if it is not known.
 
-    Scans have theirs. A table with a density of zero at its short end or within has none.
+    The extrapolation of scans was computed with their spectrum. A table with fewer than MIN_BINS
+    densities, or with a zero at its short end or within, has no extrapolation.
     """
     if isinstance(spectrum, ScanSpectrum):
         ends = spectrum.joined_dataset.attrs
@@ -246,7 +248,7 @@ def _extrapolated_numbers(
 
 
 def _force_change(name: str, changed_force: float, form: ClosedForm) -> Number:
-    """Return the relative change of the force (N) of a closed form, and whether it matters."""
+    """Return the relative change from the force of a closed form (N), and whether it matters."""
     change = abs(changed_force / form.force - 1)
     matters = change > MAX_NEGLIGIBLE_CHANGE
     return Number(name, change, status=Effect.MATTERS if matters else Effect.NEGLIGIBLE)

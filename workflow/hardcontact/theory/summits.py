@@ -38,7 +38,8 @@ LOG_NEGLIGIBLE_PROBABILITY = -45.0
 #: Summits at lower levels have the width of summits at this level, because such low points form no
 #: separate groups. Chosen: resources/validation/README.md says what other values would change.
 LOWEST_SUMMIT_LEVEL = 1.2
-#: A sphere follows the longest waves, up to this ratio of their rms curvature to 1/R. Chosen, too.
+#: A sphere follows the longest waves, up to this ratio of their rms curvature to 1/R. It was chosen
+#: like LOWEST_SUMMIT_LEVEL.
 MAX_FOLLOWED_CURVATURE = 0.1
 
 
@@ -55,7 +56,7 @@ class ApexDistribution(NamedTuple):
 
 
 def spectrum_between(spectrum: Spectrum, lowest: float, highest: float) -> Spectrum | None:
-    """Return a spectrum between two wavevectors (rad/nm), on a new grid; None without waves."""
+    """Return a spectrum between two wavevectors (rad/nm), on a new grid, or None without waves."""
     rough_wavevectors = spectrum.wavevector[spectrum.density > 0]
     if not len(rough_wavevectors):
         return None
@@ -84,6 +85,7 @@ def find_rough_spectrum(spectrum: Spectrum, radius: float) -> Spectrum | None:
 def summit_half_width(spectrum: Spectrum, levels: ArrayLike) -> Floats:
     """Return the half-width delta (n,) in nm of summits at levels t (n,)."""
     q = spectrum.wavevector
+    # From a small part of the shortest wave to beyond the longest one.
     distances = np.geomspace(0.05 / q[-1], 10 / q[0], DISTANCE_COUNT)
     # The fall of the autocorrelation at the distances, in shares of sigma².
     integrand = spectrum.density * q**2 * (1 - special.j0(distances[:, None] * q))
@@ -164,6 +166,7 @@ def _probability_of_smaller_area(summit_counts: Floats, area_ratio: Floats) -> F
     if is_rare.any():
         means, ratios = summit_counts[is_rare], area_ratio[is_rare]
         largest = ratios.max()
+        # More summits than this, some 8 standard deviations, hardly ever have so small an area.
         i = np.arange(1, int(largest + 8 * np.sqrt(largest) + 25) if largest else 1)[:, None]
         with np.errstate(divide="ignore"):
             log_poisson = i * np.log(means) - means - special.gammaln(i + 1)

@@ -28,8 +28,9 @@ DESIGNED_SURFACES = Path(__file__).with_name("designed_surfaces.csv")
 NEAREST_SURFACES = 19
 #: Smaller moduli count as this one: below the mean plane the modulus is 0 and has no logarithm.
 MIN_WEIBULL_MODULUS = 1e-3
-#: Predicted and computed quantities: columns of the table.
-VALIDATED_QUANTITIES = ("force", "short_edge", "long_edge")
+EDGE_NAMES = ("short_edge", "long_edge")
+#: Columns of the table with computed quantities; ``predicted_...`` has each predicted quantity.
+VALIDATED_QUANTITIES = ("force", *EDGE_NAMES)
 #: Parameters that must lie within the ranges of the table, with their units.
 VALIDATED_PARAMETERS = {
     "rho": "nm", "radius": "nm", "weibull_modulus": "1", "contact_over_peak_wavelength": "1",
@@ -54,7 +55,7 @@ class Validity(StrEnum):
 def held_out_surfaces() -> pd.DataFrame:
     """Return the surfaces of DESIGNED_SURFACES that were held out, with ratios.
 
-    ``<name>_ratio`` is the computed relative to the predicted value, NaN if an edge is open.
+    ``<name>_ratio`` is the computed relative to the predicted value, NaN if no edge was found.
     """
     table = pd.read_csv(DESIGNED_SURFACES)
     held_out = table[table["held_out"] == 1].copy()
