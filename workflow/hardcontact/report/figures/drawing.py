@@ -29,6 +29,8 @@ RESOLUTION = 300  # dots per inch of the PNG and of the maps inside the PDF
 SVG_RESOLUTION = 100  # dots per inch of the images inside the SVG
 MAX_VECTOR_POINTS = 1000  # of a curve or of symbols in the SVG; more become an image
 SVG_FONTS = b"'DejaVu Sans', Verdana, sans-serif"  # of equal widths
+Ratios = Sequence[float]  # sizes relative to each other
+#: Readers of inputs that are not datasets.
 READERS = {
     "published_constants": published.read_constants,
     "published_pull_off": published.read_published_forces,
@@ -89,7 +91,7 @@ def _has_many_points(artist: Artist) -> bool:
 def create_figure(height: float, surfaces: xr.Dataset) -> Figure:
     """Return an empty figure of print width and a height (inch).
 
-    A line at its foot names the substitute surfaces. The dataset has `label(surface)` and
+    A line at its foot names the substitute surfaces, if any. The dataset has `label(surface)` and
     `source(surface)`, or both as attributes for a single surface.
     """
     footer = FOOTER / height
@@ -107,12 +109,15 @@ def create_figure(height: float, surfaces: xr.Dataset) -> Figure:
 
 
 def create_rows(
-    height: float, surfaces: xr.Dataset, *rows: tuple[float, Sequence[float]]
+    height: float, surfaces: xr.Dataset, *, row_heights: Ratios, panel_widths: Sequence[Ratios]
 ) -> tuple[Figure, list[np.ndarray]]:
-    """Return a figure, and the panels of each row, given by its relative height and widths."""
+    """Return a figure of `create_figure`, and the panels of each row.
+
+    Heights of rows are relative to each other, widths of panels to others in their row.
+    """
     figure = create_figure(height, surfaces)
-    grid = figure.add_gridspec(len(rows), 1, height_ratios=[ratio for ratio, _ in rows])
+    grid = figure.add_gridspec(len(row_heights), 1, height_ratios=row_heights)
     return figure, [
         grid[row].subgridspec(1, len(widths), width_ratios=widths).subplots(squeeze=False)[0]
-        for row, (_, widths) in enumerate(rows)
+        for row, widths in enumerate(panel_widths)
     ]

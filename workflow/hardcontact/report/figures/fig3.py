@@ -52,10 +52,10 @@ def draw(
             for name, values in forces_of_all.items()
         }
         surface_fit = plastic_fit.sel(surface=surface, pair="published")
-        lognormals = _lognormals(published_forces[surface], surface_fit)
-        _draw_linear(column[0], surface_forces, lognormals[0], colours[surface])
-        _draw_logarithmic(column[1], surface_forces, lognormals, floor, colours[surface])
-        _label_column(column, letter, surface_fit, lognormals[0])
+        published, computed = _lognormals(published_forces[surface], surface_fit)
+        _draw_linear(column[0], surface_forces, published, colours[surface])
+        _draw_logarithmic(column[1], surface_forces, (published, computed), floor, colours[surface])
+        _label_column(column, letter, surface_fit, published)
         for axes in column:
             axes.axvspan(axes.get_xlim()[0], floor / style.MICRONEWTON, color="0.85", zorder=0)
             axes.set_xlabel("pull-off force (µN)")
@@ -82,15 +82,20 @@ def _lognormals(published: Mapping[Any, float], fit: xr.Dataset) -> tuple[Any, A
 
 
 def _label_column(column: np.ndarray, letter: str, fit: xr.Dataset, published: Any) -> None:
-    """Write the surface above its linear panel, and the std of ln F above the logarithmic one."""
+    """Write the surface above its linear panel, and the std of ln F above the logarithmic panel.
+
+    `published` is the published log-normal.
+    """
     style.label_panel(column[0], f"{letter}_1", str(fit["label"].item()))
+    (published_log_std,) = published.args
     log_std = format_estimate(panels.value_and_bounds(fit, "log_force_std"), ".2f")
-    title = f"std of ln $F$\npublished {published.args[0]:.2f}\nhere {log_std}"
+    title = f"std of ln $F$\npublished {published_log_std:.2f}\nhere {log_std}"
     style.label_panel(column[1], f"{letter}_2", title)
 
 
 def _draw_linear(axes: Axes, forces_by_pair: ForcesByPair, published: Any, colour: str) -> None:
     """Draw the computed histograms and the published log-normal over the same bins, in µN."""
+    # The axis shows all but 3 % of the forces, and all but 10 % of the log-normal.
     ends = [np.quantile(forces, 0.97) for forces in forces_by_pair.values()]
     edges = np.linspace(0, np.nanmax([*ends, published.ppf(0.9)]), LINEAR_BINS + 1)
     _draw_histograms(axes, forces_by_pair, edges, colour)

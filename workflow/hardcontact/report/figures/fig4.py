@@ -1,5 +1,7 @@
 """Fig. 4: computed pull-off forces against the range of adhesion."""
 
+import math
+
 import pandas as pd
 import xarray as xr
 from matplotlib.artist import Artist
@@ -14,11 +16,12 @@ from hardcontact.contact.contact import PLASTIC
 from hardcontact.report.figures import drawing, panels, style
 
 MEGAPASCAL = 1e6
-DRAWN_MAP_PIXELS = 640  # per row of the map of the pressure
+MAX_MAP_PIXELS = 640  # per row of the map of the pressure
 PRESSURE_DECADES = 3  # below, the pressure adds nothing visible to the force
 PUBLISHED_MEAN: style.Look = {"lw": 1.0, "ls": ":"}
 AT_FIT: style.Look = {"mfc": "white", "ms": 5, "mew": 1.2}
-AT_FIT_DODGES = 4  # these symbols are larger than those of the curves
+#: Steps of `iterate_dodged` between symbols AT_FIT, which are larger than those of the curves.
+DODGES_AT_FIT = 4
 MARK_POSITION = 0.97  # of the symbol on a published mean, on the x axis from 0 to 1
 RATIO_FIT: style.Look = {"color": "black", "lw": 1.2, "marker": "P", "ms": 5}
 
@@ -34,7 +37,7 @@ def draw(
     plastic_fit = fit.sel(contact_model=PLASTIC)
     set_fits = sets.sel(contact_model=PLASTIC)
     figure, ((pressure, separation, key), (ratios, forces)) = drawing.create_rows(
-        5.6, fit, (1, (1.3, 1, 1)), (1.5, (1, 1))
+        5.6, fit, row_heights=(1, 1.5), panel_widths=((1.3, 1, 1), (1, 1))
     )
     _draw_pressure(pressure, contact)
     separation.axhline(0, color="0.7", lw=0.6)
@@ -74,13 +77,13 @@ def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[
 
 
 def _draw_pressure(axes: Axes, contact: xr.Dataset) -> None:
-    """Map the largest PRESSURE_DECADES of the adhesive pressure (MPa) around the apex.
+    """Map the adhesive pressure (MPa) from its maximum down to PRESSURE_DECADES below.
 
-    A map of DRAWN_MAP_PIXELS, each with the largest pressure in it, looks like the finer one, which
-    takes gigabytes to draw.
+    At most MAX_MAP_PIXELS pixels a row, each with the largest pressure in it, look like the finer
+    map, which takes gigabytes to draw.
     """
     pressure = abs(contact["adhesive_pressure"]) / MEGAPASCAL
-    covered_pixels = -(-pressure.sizes["x"] // DRAWN_MAP_PIXELS)
+    covered_pixels = math.ceil(pressure.sizes["x"] / MAX_MAP_PIXELS)
     pressure = pressure.coarsen(x=covered_pixels, y=covered_pixels, boundary="trim").max()
     top = pressure.max().item()
     bottom = top / 10**PRESSURE_DECADES
@@ -102,6 +105,7 @@ def _draw_pressure(axes: Axes, contact: xr.Dataset) -> None:
 
 def _draw_ratios(axes: Axes, fit: xr.Dataset, set_fits: xr.Dataset, published: pd.Series) -> None:
     """Draw the ratio of mean forces to the reference surface against rho (nm)."""
+    # The ratio of the reference surface is 1 at all ranges.
     reference = abs(fit["force_over_reference"] - 1).max("rho").idxmin("surface").item()
     scans = panels.value_and_interval(fit, "force_over_reference")
     set_spread = panels.summarize_sets(set_fits["force_over_reference"])
@@ -124,7 +128,7 @@ def _draw_forces(
     fitted = panels.value_and_interval(fit.sel(pair="fitted"), "mean_force_at_pair")
     for factor, look, force in style.iterate_dodged(fitted / style.MICRONEWTON):
         fit_look = look | AT_FIT
-        rho = fit["range_of_adhesion"] * factor**AT_FIT_DODGES
+        rho = fit["range_of_adhesion"] * factor**DODGES_AT_FIT
         panels.draw_bars(axes, rho, force, width=1.2, zorder=4, **fit_look)
     axes.set_ylabel("mean pull-off force (µN)")
     title = rf"curves: at the published $W$ = {work / style.MILLIJOULE:.3g} mJ/m²"

@@ -13,7 +13,7 @@ from hardcontact.report.figures import drawing, panels, style
 
 LINE_COLOURS = {"x": "#B2182B", "y": "#053061"}  # red and blue as in the paper; no surface has them
 BEFORE = "0.5"
-#: Preloads have its colours too, as black is for published values.
+#: Colours of depths, and of preloads, because black is for published values.
 DEPTH_COLOURS = mpl.colormaps["Purples"]
 PRELOAD_LINES = ("-", "-.", ":")  # dashed lines are published
 SIZES = {  # title, axis, published constant
@@ -30,7 +30,7 @@ def draw(indent: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     published = published_constants["value"]
     contact = indent.sel(preload=published[PRELOAD], method="nearest")
     figure, ((indents, *lines), sizes) = drawing.create_rows(
-        5.3, indent, (1.2, (1.35, 1, 1)), (1, (1, 1, 1))
+        5.3, indent, row_heights=(1.2, 1), panel_widths=((1.35, 1, 1), (1, 1, 1))
     )
     _draw_map(indents, contact)
     depths = contact["indentation"]
@@ -43,8 +43,10 @@ def draw(indent: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
         style.label_panel(axes, letter, f"sphere along {axis}")
     lines[0].set_ylabel("height (nm)")
     for axes, letter, name in zip(sizes, "def", SIZES, strict=True):
-        _draw_sizes(axes, indent, name, published)
-        style.label_panel(axes, letter, SIZES[name][0])
+        title, label, constant = SIZES[name]
+        _draw_sizes(axes, indent[name], published[constant], published[PRELOAD])
+        axes.set_xlabel(label)
+        style.label_panel(axes, letter, title)
     sizes[0].set_ylabel("cumulative share of contacts")
     entries = style.legend_entries(sizes[:1])
     figure.legend(entries.values(), entries.keys(), loc="outside upper center", ncols=len(entries))
@@ -63,12 +65,15 @@ def _draw_map(axes: Axes, contact: xr.Dataset) -> None:
     axes.set(aspect="equal", xlabel="x (nm)", ylabel="y (nm)")
     axes.locator_params(nbins=5)
     label = contact.attrs["label"]
-    preload = _print_preload(contact["preload"])
+    preload = _format_preload(contact["preload"])
     style.label_panel(axes, "a", f"one contact on {label}, {preload}")
 
 
 def _draw_line(axes: Axes, contact: xr.Dataset, axis: str) -> None:
-    """Draw the sphere's height (nm), outwards, before and after contact, along x or y."""
+    """Draw the sphere's height (nm, outwards) along x or y through the deepest point.
+
+    The area between the lines before and after contact is the indent.
+    """
     other_axis = "y" if axis == "x" else "x"
     line = contact.sel({other_axis: 0})
     height_before = -line["sphere_height"]
@@ -83,22 +88,23 @@ def _draw_line(axes: Axes, contact: xr.Dataset, axis: str) -> None:
     axes.legend(loc="lower left")
 
 
-def _draw_sizes(axes: Axes, indent: xr.Dataset, name: str, published: pd.Series) -> None:
-    """Draw the distribution over all contacts of a size (nm), and its published value."""
-    _, quantity, constant = SIZES[name]
-    contacts = [dim for dim in indent[name].dims if dim != "preload"]
-    sizes = indent[name].quantile(SHARES, contacts, method="inverted_cdf")
-    sizes = sizes.transpose("preload", "quantile")
-    shades = DEPTH_COLOURS(np.linspace(0.5, 0.95, sizes.sizes["preload"]))
-    for values, colour, dashes in zip(sizes, shades, cycle(PRELOAD_LINES), strict=False):
-        label = f"computed, {_print_preload(values['preload'])}"
+def _draw_sizes(axes: Axes, sizes: xr.DataArray, published: float, preload: float) -> None:
+    """Draw the distribution of a size (nm) over all contacts by preload, and the published size.
+
+    `preload` (N) is the published one.
+    """
+    contacts = [dim for dim in sizes.dims if dim != "preload"]
+    quantiles = sizes.quantile(SHARES, contacts, method="inverted_cdf").transpose("preload", ...)
+    shades = DEPTH_COLOURS(np.linspace(0.5, 0.95, quantiles.sizes["preload"]))
+    for values, colour, dashes in zip(quantiles, shades, cycle(PRELOAD_LINES), strict=False):
+        label = f"computed, {_format_preload(values['preload'])}"
         look: style.Look = {"color": colour, "ls": dashes, "drawstyle": "steps-post"}
         axes.plot(values, SHARES, label=label, **look)
-    label = f"published, {_print_preload(published[PRELOAD])}"
-    axes.axvline(published[constant], color=style.PUBLISHED_COLOUR, lw=1.0, ls="--", label=label)
-    axes.set(xlabel=quantity, ylim=(0, 1))
+    label = f"published, {_format_preload(preload)}"
+    axes.axvline(published, color=style.PUBLISHED_COLOUR, lw=1.0, ls="--", label=label)
+    axes.set_ylim(0, 1)
     axes.set_xlim(left=0)
 
 
-def _print_preload(preload: float | xr.DataArray) -> str:
+def _format_preload(preload: float | xr.DataArray) -> str:
     return f"{float(preload) / style.MICRONEWTON:g} µN"

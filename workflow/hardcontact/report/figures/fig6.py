@@ -20,7 +20,8 @@ TITLES = {
     "long": "roughness above the cutoff removed",
 }
 EDGE_LOOK: style.Look = {"ls": "none", "marker": "o", "mfc": "white", "mew": 1.3, "ms": 5.5}
-#: Lowest and highest change drawn, in tolerances: on a longer axis their strip would be thin.
+#: Lowest and highest change drawn, in tolerances: on a longer axis the strip of changes within the
+#: tolerance would be thin.
 SHOWN_TOLERANCES = (-3, 7)
 
 
@@ -31,19 +32,18 @@ def draw(
     figure = drawing.create_figure(3.6, edges)
     both_axes = figure.subplots(1, 2, sharey=True)
     both_axes[0].set_ylim(1 + edges.attrs["tolerance"] * np.array(SHOWN_TOLERANCES))
-    band = panels.published_band(published_constants)
-    for letter, side, edge, axes in zip("ab", TITLES, band, both_axes, strict=True):
+    published_edges = panels.published_band(published_constants)
+    for letter, side, published, axes in zip("ab", TITLES, published_edges, both_axes, strict=True):
         _draw_side(axes, edges.sel(side=side))
-        axes.axvline(edge, zorder=1, **style.PUBLISHED_LENGTH)
+        axes.axvline(published, zorder=1, **style.PUBLISHED_LENGTH)
         transition = float(filtered_forces["transition"].sel(side=side))
         artificial = (0.0, transition) if side == "short" else (transition, np.inf)
         panels.hatch_bands(axes, [artificial])
         axes.set_xlabel("cutoff wavelength (nm)")
         style.label_panel(axes, letter, TITLES[side])
-    both_axes[0].set_yscale("linear")
     rho = filtered_forces.attrs["rho"]
     both_axes[0].set_ylabel(f"force / unfiltered force\n(range of adhesion {rho:g} nm)")
-    style.legend_above(figure, _legend_handles(edges, band))
+    style.legend_above(figure, _legend_handles(edges, published_edges))
     return figure
 
 
@@ -57,23 +57,25 @@ def _draw_side(axes: Axes, edges: xr.Dataset) -> None:
     ratio = ratio.dropna("cutoff_wavelength", how="all")
     low, high = axes.get_ylim()
     is_shown = (low < ratio["value"]) & (ratio["value"] < high)
+    # Ratios beyond the y axis have no bars. Those next to a shown cutoff stay, so that curves leave
+    # the frame.
     ratio = ratio.assign(ratio[["low", "high"]].where(is_shown))
     neighbours = is_shown.any("surface").rolling(cutoff_wavelength=3, center=True, min_periods=1)
     ratio = ratio.where(neighbours.max() > 0, drop=True)
     panels.draw_ratios(axes, ratio, tolerance)
     for look, curve in style.iterate_surfaces(ratio["value"]):
         edge = edges["edge"].sel(group=curve["surface"].item()).item()
-        if np.isfinite(edge):  # otherwise the force is within the tolerance at the last cutoff
+        if np.isfinite(edge):  # A surface has no edge if its force stays within the tolerance.
             change = np.interp(edge, curve["cutoff_wavelength"], curve) - 1
             height = 1 + np.copysign(tolerance, change)
             axes.plot(edge, height, mec=look["color"], zorder=5, **EDGE_LOOK)
 
 
-def _legend_handles(edges: xr.Dataset, band: Sequence[float]) -> list[Artist]:
+def _legend_handles(edges: xr.Dataset, published_edges: Sequence[float]) -> list[Artist]:
     """Return one entry per surface and one for each kind of line."""
     confidence = format_share(edges.attrs["confidence"])
     tolerance = format_share(edges.attrs["tolerance"])
-    published = " and ".join(format_length(edge) for edge in band)
+    published = " and ".join(format_length(edge) for edge in published_edges)
     return [
         *style.surface_handles(edges),
         Line2D([], [], color="0.6", lw=0.7, label=f"{confidence} interval (bars)"),

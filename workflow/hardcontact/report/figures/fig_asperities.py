@@ -23,7 +23,7 @@ QUANTITIES = {  # title, axis, printed unit
 
 
 def draw(asperities: xr.Dataset, edges: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
-    """Draw the force on (a) the strongest and (b) two asperities, (c) their number, (d) extent."""
+    """Draw shares of the force: (a) of one, (b) of two asperities; (c) numbers, (d) extents."""
     figure = drawing.create_figure(5.2, asperities)
     grid = figure.subplots(2, 2, sharex=True)
     share = asperities.attrs["share"]
@@ -53,7 +53,7 @@ def draw(asperities: xr.Dataset, edges: xr.Dataset, published_constants: pd.Data
 
 
 def _draw_smooth(axes: Axes, asperities: xr.Dataset) -> None:
-    """Draw lengths (µm) against rho for a smooth sphere on a plane.
+    """Draw the extent of the force and the interaction radius (µm) of a smooth sphere on a plane.
 
     The attraction falls with the distance r from the apex as exp(-r²/(Dρ)).
     """
@@ -77,5 +77,5 @@ def _draw_long_edge(axes: Axes, edges: xr.Dataset, published_constants: pd.DataF
     axes.axhline(value, color="0.4", lw=1.0, label="long edge, averaged change (d)")
     if np.isfinite([low, high]).all():
         axes.axhspan(low, high, label=f"its {confidence} interval (d)", **EDGE_INTERVAL)
-    look: style.Look = {"color": "0.4", "lw": 1.0, "ls": "--", "label": "long edge, published (d)"}
-    axes.axhline(published / MICROMETRE, **look)
+    label = "long edge, published (d)"
+    axes.axhline(published / MICROMETRE, color="0.4", lw=1.0, ls="--", label=label)

@@ -1,4 +1,4 @@
-"""Classical models: their pull-off forces of rough spheres, and the errors of these."""
+"""Pull-off forces of rough spheres by classical models, and the errors of these forces."""
 
 import numpy as np
 import pandas as pd
@@ -10,6 +10,7 @@ from matplotlib.lines import Line2D
 from hardcontact.report.figures import drawing, panels, style
 
 MIN_DRAWN_FORCE = 1e-6  # µN; a model that predicts less predicts no force at all
+#: Roughness that enters a model, with its legend: rms values of scans, or of all wavelengths.
 METRIC_LABELS = {"afm": "AFM scans alone", "all_scales": "all scales"}
 ERROR_LOOKS: dict[str, style.Look] = {
     "published": {"color": style.PUBLISHED_COLOUR, "marker": "o"},
@@ -21,11 +22,12 @@ PUBLISHED_LINE: style.Look = {"lw": 0.5, "alpha": 0.6}
 def draw(classical: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw (a) forces at the published work, (b) errors at the best work of each model."""
     work = published_constants["value"]["work_of_adhesion"]
-    figure, ((forces, errors),) = drawing.create_rows(3.6, classical, (1, (2.6, 1)))
-    _draw_forces(forces, classical)
+    figure = drawing.create_figure(3.6, classical)
+    force_axes, error_axes = figure.subplots(1, 2, width_ratios=(2.6, 1))
+    _draw_forces(force_axes, classical)
     title = f"models at the published $W$ = {work / style.MILLIJOULE:g} mJ/m²"
-    style.label_panel(forces, "a", title)
-    _draw_errors(errors, classical)
+    style.label_panel(force_axes, "a", title)
+    _draw_errors(error_axes, classical)
     metric_handles = [
         Line2D([], [], color="0.3", marker="o", mfc=face, ls="none", label=f"from {label}")
         for face, label in zip(("0.3", "white"), METRIC_LABELS.values(), strict=True)
@@ -44,8 +46,9 @@ def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
     names = ("published_mean_force", "computed_mean_force", "model_force")
     values = np.concatenate([classical[name].values.ravel() for name in names]) / style.MICRONEWTON
     drawn_values = values[values > MIN_DRAWN_FORCE]
-    # The strip above the bottom is for smaller forces.
     bottom, top = drawn_values.min() / 12, drawn_values.max() * 6
+    # Forces below MIN_DRAWN_FORCE are drawn in a strip above the bottom.
+    no_force = 1.7 * bottom
     offsets = np.linspace(-0.3, 0.3, classical.sizes["surface"])
     for offset, (look, surface_data) in zip(
         offsets, style.iterate_surfaces(classical), strict=True
@@ -55,9 +58,9 @@ def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
             panels.draw_bars(axes, x + offset, force, ls="none", **look)
         published = surface_data["published_mean_force"].item() / style.MICRONEWTON
         axes.axhline(published, color=look["color"], zorder=0, **PUBLISHED_LINE)
-        _draw_model_forces(axes, surface_data, 2 + offset, 1.7 * bottom, look)
+        _draw_model_forces(axes, surface_data, 2 + offset, no_force, look)
     axes.axhspan(bottom, 3 * bottom, color="0.9", zorder=0)
-    axes.text(1.6, 1.7 * bottom, "no force", fontsize=7, va="center")
+    axes.text(1.6, no_force, "no force", fontsize=7, va="center")
     axes.axvline(1.5, color="black", lw=0.6)
     labels = ["published", "computed", *classical["model_label"].values]
     axes.set_xticks(range(len(labels)), labels, **style.TILTED_LABELS)
@@ -69,7 +72,10 @@ def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
 def _draw_model_forces(
     axes: Axes, surface_data: xr.Dataset, start: float, no_force: float, look: style.Look
 ) -> None:
-    """Draw the forces (µN) of the models on one surface from a position on; none is `no_force`."""
+    """Draw the forces (µN) of the models on one surface, the first at the position `start`.
+
+    Forces below MIN_DRAWN_FORCE are drawn at the height `no_force`.
+    """
     forces = panels.value_and_interval(surface_data, "model_force") / style.MICRONEWTON
     drawn_forces = forces.where(~(forces < MIN_DRAWN_FORCE), no_force)
     positions = start + np.arange(surface_data.sizes["model"])
@@ -80,7 +86,10 @@ def _draw_model_forces(
 
 
 def _draw_errors(axes: Axes, classical: xr.Dataset) -> None:
-    """Draw the least mean relative error of each model to the published and computed forces."""
+    """Draw the mean relative error of each model to the published and computed forces.
+
+    It is the smallest over the work of adhesion.
+    """
     errors = panels.value_and_interval(classical, "mean_relative_error")
     threshold = classical.attrs["error_threshold"]
     axes.axhspan(0, threshold, color="0.88", zorder=0)

@@ -13,20 +13,20 @@ from hardcontact.report.figures import drawing, panels, style
 
 def draw(edge_shifts: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw force ratios and short edges, a column for each contact model and range of adhesion."""
-    bands = edge_shifts.sel(side="short")
-    cases = [(model, rho) for model in bands["contact_model"].values for rho in bands["rho"].values]
+    edges = edge_shifts.sel(side="short")
+    cases = [(model, rho) for model in edges["contact_model"].values for rho in edges["rho"].values]
     figure = drawing.create_figure(4.4, edge_shifts)
     grid = figure.subplots(
         2, len(cases), sharex=True, sharey="row", height_ratios=(3, 1.5), squeeze=False
     )
-    edge, _ = panels.published_band(published_constants)
+    published, _ = panels.published_band(published_constants)
     for letter, (model, rho), (ratio_panel, edge_panel) in zip("abcd", cases, grid.T, strict=True):
-        _draw_case(ratio_panel, edge_panel, bands.sel(contact_model=model, rho=rho))
+        _draw_case(ratio_panel, edge_panel, edges.sel(contact_model=model, rho=rho))
         for axes in (ratio_panel, edge_panel):
-            axes.axvline(edge, **style.PUBLISHED_LENGTH)
+            axes.axvline(published, **style.PUBLISHED_LENGTH)
         style.label_panel(ratio_panel, letter, f"{model}, ρ = {rho:g} nm")
     # Bars of two or three masters would stretch the axis over many decades.
-    ratios = bands["filtered_force_ratio"]
+    ratios = edges["filtered_force_ratio"]
     grid[0, 0].set_ylim(ratios.min() / 2, ratios.max() * 2)
     grid[0, 0].set_ylabel("force / unfiltered force")
     tolerance = format_share(edge_shifts.attrs["tolerance"])
@@ -34,7 +34,7 @@ def draw(edge_shifts: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     handles = [
         *style.surface_handles(edge_shifts),
         Line2D([], [], label="averaged change", **style.MEAN_LOOK),
-        Line2D([], [], label=f"published short edge: {edge:g} nm", **style.PUBLISHED_LENGTH),
+        Line2D([], [], label=f"published short edge: {published:g} nm", **style.PUBLISHED_LENGTH),
         Line2D([], [], lw=1.4, color="0.3", label=f"{confidence} interval (bars)"),
         Patch(label=f"change below {tolerance}", **panels.UNCHANGED_LOOK),
         Line2D([], [], ls="none", marker="<", ms=5, color="0.3", label="beyond the cutoffs"),
@@ -51,6 +51,7 @@ def _draw_case(ratio_panel: Axes, edge_panel: Axes, edges: xr.Dataset) -> None:
     ratio = panels.value_and_interval(edges, "filtered_force_ratio")
     ratio = ratio.dropna("cutoff_wavelength", how="all")
     panels.draw_ratios(ratio_panel, ratio, edges.attrs["tolerance"])
+    ratio_panel.set_yscale("log")
     style.label_logarithmic(ratio_panel.yaxis, digits=(1, 2, 5))
     first_cutoff, last_cutoff = ratio["cutoff_wavelength"].values[[0, -1]]
     edge_rows = panels.value_and_interval(edges, "edge").clip(first_cutoff, last_cutoff)

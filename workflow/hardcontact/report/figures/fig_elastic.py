@@ -26,14 +26,14 @@ SCAN_SPREAD = 0.6  # width of the scans of one surface, relative to the distance
 def draw(elastic: xr.Dataset) -> Figure:
     """Draw (a) the pressure of one contact a surface, (b-d) all contacts, one dot each."""
     surfaces = elastic.sizes["surface"]
-    figure, (maps, (shares, peaks, forces)) = drawing.create_rows(
-        5.1, elastic, (1, (1,) * surfaces), (1.3, (1, 1, 1))
+    figure, (maps, (share_axes, peak_axes, force_axes)) = drawing.create_rows(
+        5.1, elastic, row_heights=(1, 1.3), panel_widths=([1] * surfaces, (1, 1, 1))
     )
     _draw_pressures(maps, elastic)
-    _draw_shares(shares, elastic)
-    _draw_peaks(peaks, elastic)
-    _draw_forces(forces, elastic)
-    for axes in (shares, peaks, forces):
+    _draw_shares(share_axes, elastic)
+    _draw_peaks(peak_axes, elastic)
+    _draw_forces(force_axes, elastic)
+    for axes in (share_axes, peak_axes, force_axes):
         axes.set_xticks(range(surfaces), elastic["label"].values, **style.TILTED_LABELS)
     handles = [
         Patch(color=NO_CONTACT_COLOUR, label="no contact (a)"),
@@ -46,7 +46,7 @@ def draw(elastic: xr.Dataset) -> Figure:
 
 
 def _draw_shares(axes: Axes, elastic: xr.Dataset) -> None:
-    """Draw the share of the contact area above the hardness, and what the paper calls "most"."""
+    """Draw the share of the contact area with pressure above the hardness, and MOST_SHARE."""
     _draw_contacts(axes, elastic["share_above_hardness"])
     axes.axhspan(MOST_SHARE, 1, **MOST_LOOK)
     axes.set(ylim=(-0.03, 1.03), ylabel="share of contact area")
@@ -86,9 +86,8 @@ def _draw_pressures(row: np.ndarray, elastic: xr.Dataset) -> None:
         # At pixels of other surfaces there is no value.
         surface_data = surface_data.dropna("y", how="all").dropna("x", how="all")
         contact = surface_data.where(surface_data > 0)
-        norm = LogNorm(ticks[0], ticks[-1])
-        look = style.PIXEL_LOOK | {"norm": norm, "cmap": PRESSURE_COLOURS}
-        image = axes.pcolormesh(contact["x"], contact["y"], contact, **look)
+        colours = {"norm": LogNorm(ticks[0], ticks[-1]), "cmap": PRESSURE_COLOURS}
+        image = axes.pcolormesh(contact["x"], contact["y"], contact, **colours, **style.PIXEL_LOOK)
         axes.set(facecolor=NO_CONTACT_COLOUR, aspect="equal", xlabel="x (nm)")
         axes.set(xlim=(-reach, reach), ylim=(-reach, reach))
         axes.locator_params(nbins=4)

@@ -30,6 +30,7 @@ def draw(features: xr.Dataset, published_pull_off: pd.DataFrame) -> Figure:
         median = candidates["median_force_at_pair"] / style.MICRONEWTON
         median_axes.scatter(mean, median, s=14, **look)
         scatter_axes.scatter(mean, candidates["log_force_std"], s=14, **look)
+    # NaN if the paper has no forces on the surface.
     forces = published_pull_off.reindex([features.attrs["surface"]]).iloc[0]
     mean, median = (forces[name] / style.MICRONEWTON for name in ("mean_force", "median_force"))
     log_std = log_std_of_lognormal(forces["mean_force"], forces["median_force"])
@@ -52,7 +53,7 @@ def draw(features: xr.Dataset, published_pull_off: pd.DataFrame) -> Figure:
 
 
 def _draw_equality(axes: Axes, features: xr.Dataset, published_mean: float) -> None:
-    """Draw the line on which the median is the mean."""
+    """Draw the line on which the median is the mean; the published mean is in µN."""
     means = features["mean_force_at_pair"].values / style.MICRONEWTON
     ends = [np.nanmin(means, initial=published_mean), np.nanmax(means, initial=published_mean)]
     axes.plot(ends, ends, zorder=0, **EQUALITY_LOOK)

@@ -21,6 +21,7 @@ MAX_MAPPED_ERROR = 0.7  # the map has the works of adhesion with a smaller error
 ON_MAP: style.Look = {"frameon": True, "facecolor": "0.6", "framealpha": 0.9}
 PUBLISHED_FIT: style.Look = {
     "fmt": "o", "color": "black", "mec": "white", "mew": 0.5, "ms": 5, "lw": 1.4,
+    "label": "published fit",
 }  # fmt: skip
 FIT_COLOUR = "#6A3D9A"  # no surface has this colour
 FIT_STAR: style.Look = {"marker": "*", "color": FIT_COLOUR, "mec": "white", "mew": 0.6, "ms": 11}
@@ -32,7 +33,7 @@ def draw(fit: xr.Dataset, sets: xr.Dataset, published_constants: pd.DataFrame) -
     plastic_fit = fit.sel(contact_model=PLASTIC)
     figure = drawing.create_figure(3.6, fit)
     curves, error_map = figure.subplots(1, 2)
-    _draw_least_error(curves, fit, sets.sel(contact_model=PLASTIC))
+    _draw_smallest_error(curves, fit, sets.sel(contact_model=PLASTIC))
     _draw_error_map(error_map, plastic_fit, published_constants)
     style.legend_above(figure, _legend_handles(curves, fit, published_constants))
     for axes in (curves, error_map):
@@ -53,7 +54,7 @@ def _legend_handles(
     ]
 
 
-def _draw_least_error(axes: Axes, fit: xr.Dataset, set_fits: xr.Dataset) -> None:
+def _draw_smallest_error(axes: Axes, fit: xr.Dataset, set_fits: xr.Dataset) -> None:
     """Draw the error, least over W, against rho (nm), and the best fit of each set."""
     plastic_fit = fit.sel(contact_model=PLASTIC)
     threshold = fit.attrs["error_threshold"]
@@ -107,14 +108,14 @@ def _mark_published_fit(axes: Axes, published_constants: pd.DataFrame) -> None:
     rho = published_constants.loc["range_of_adhesion"]
     work = published_constants.loc["work_of_adhesion"]
     values = rho["value"], work["value"] / style.MILLIJOULE
-    half_widths = work["uncertainty"] / style.MILLIJOULE, rho["uncertainty"]
-    axes.errorbar(*values, *half_widths, zorder=5, label="published fit", **PUBLISHED_FIT)
+    x_error, y_error = rho["uncertainty"], work["uncertainty"] / style.MILLIJOULE
+    axes.errorbar(*values, xerr=x_error, yerr=y_error, zorder=5, **PUBLISHED_FIT)
 
 
 def _mark_minima(axes: Axes, fit: xr.Dataset, ordinate: str, unit: float = 1) -> None:
     """Mark the best fit of the study with a star, other minima of the error with rings.
 
-    The `ordinate` over the range of adhesion (nm) is "work" or "error", in `unit`.
+    The `ordinate` over the range of adhesion (nm) is "work" or "error", drawn in `unit`.
     """
     best = fit[{"work": "work_of_adhesion", "error": "best_error"}[ordinate]] / unit
     is_other = fit["range_at_minimum"].values != fit["range_of_adhesion"].item()

@@ -22,25 +22,30 @@ def draw(
     published_constants: pd.DataFrame,
 ) -> Figure:
     """Draw the sensitivity to each octave, and the force with only a part of the roughness."""
-    figure, (top, bottom) = drawing.create_rows(5.4, sensitivity, (3, [1]), (2.2, [1, 1]))
-    top[0].axvspan(*panels.published_band(published_constants), **PUBLISHED_BAND_LOOK)
-    panels.draw_octaves(top[0], sensitivity)
-    style.label_panel(top[0], "a", "change of the force with the amplitude of one octave")
+    figure, ((octave_axes,), ratio_axes) = drawing.create_rows(
+        5.4, sensitivity, row_heights=(3, 2.2), panel_widths=([1], [1, 1])
+    )
+    octave_axes.axvspan(*panels.published_band(published_constants), **PUBLISHED_BAND_LOOK)
+    panels.draw_octaves(octave_axes, sensitivity)
+    style.label_panel(octave_axes, "a", "change of the force with the amplitude of one octave")
     tolerance = edges.attrs["tolerance"]
     titles = {"published": "published band", "computed": "computed band"}
-    bottom[1].sharey(bottom[0])
-    for letter, axes, (band_name, title) in zip("bc", bottom, titles.items(), strict=True):
+    ratio_axes[1].sharey(ratio_axes[0])
+    for letter, axes, (band_name, title) in zip("bc", ratio_axes, titles.items(), strict=True):
         ratios = band_forces.sel(band=band_name)
         _draw_band_ratios(axes, ratios, tolerance)
         band_edges = [format_quantity(edge, "nm", digits=2) for edge in ratios["band_edge"].values]
         style.label_panel(axes, letter, f"{title}: {' to '.join(band_edges)}")
-    bottom[0].set_ylabel("force / unfiltered force")
+    ratio_axes[0].set_ylabel("force / unfiltered force")
     style.legend_above(figure, _legend_handles(sensitivity, tolerance))
     return figure
 
 
 def _draw_band_ratios(axes: Axes, ratios: xr.Dataset, tolerance: float) -> None:
-    """Draw the force with each part of the roughness relative to the unfiltered force."""
+    """Draw the force with each part of the roughness, relative to the unfiltered force.
+
+    The parts are the band, all but its shorter waves, and all but its longer waves.
+    """
     panels.draw_tolerance(axes, tolerance)
     band_parts = ratios["band_part"].values
     positions = np.arange(len(band_parts))

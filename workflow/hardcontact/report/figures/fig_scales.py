@@ -39,7 +39,7 @@ def draw(
     """Draw (a) the spectra of all surfaces, (b-d) maps of one scan, (e) their profiles."""
     band = panels.published_band(published_constants)
     figure, ((spectrum_axes,), map_axes, (profile_axes,)) = drawing.create_rows(
-        7.4, topography, (2.3, [1]), (2.1, [1, 1, 1]), (1.4, [1])
+        7.4, topography, row_heights=(2.3, 2.1, 1.4), panel_widths=([1], [1, 1, 1], [1])
     )
     _draw_spectra(spectrum_axes, topography, filtered_forces, band)
     surface, sphere = (topography.attrs[f"{kind}_surface"] for kind in ("reference", "sphere"))
@@ -53,10 +53,10 @@ def draw(
 
 
 def filtered_heights(scan: xr.Dataset, band: Sequence[float]) -> list[np.ndarray]:
-    """Return the heights (nm) of a scan: all waves, none below a band (nm), none above it."""
+    """Return heights (nm) of a scan with all waves, none below a band (nm), and none above it."""
     heights = panels.mean_free_heights(scan["example_heights"])
     mirrored = mirror_scan(HeightMap(heights, scan["scan_size"].item() / len(heights)))
-    # Pixels resolve the short edge.
+    # At least two pixels lie within the short edge.
     pixels = max(mirrored.pixels, 2 * int(mirrored.size / band[0]) + 4)
     surface = interpolate(mirrored, pixels)
     (long_waves,) = filtered_series(surface, "short", [band[0]], pixels)
@@ -116,7 +116,7 @@ def _draw_maps(row: np.ndarray, scan: xr.Dataset, maps: dict[str, np.ndarray]) -
 def _draw_profiles(
     axes: Axes, scan: xr.Dataset, maps: dict[str, np.ndarray], radius: float, colour: str
 ) -> None:
-    """Draw the heights along the middle of each map, and the smooth sphere (nm) that touches it."""
+    """Draw the heights (nm) along the middle of each map, and a smooth sphere on the unfiltered."""
     for look, (title, heights) in zip(PROFILE_LOOKS, maps.items(), strict=True):
         x = (0.5 + np.arange(len(heights))) * scan["scan_size"].item() / len(heights)
         line: style.Look = {"color": colour} | look

@@ -25,7 +25,7 @@ class Description:
     caption: str
     details: str = ""
     alt: str = ""  #: What the picture shows, for those who cannot see it.
-    chapter: str = ""  #: Of the report of the paper's study.
+    chapter: str = ""  #: Heading of a group of figures in the report of the paper's study.
     inputs: tuple[str, ...] = ()  #: Final datasets, or keys of `base.published.PUBLISHED_TABLES`.
 
 
@@ -55,6 +55,6 @@ def caption(name: str, facts: Mapping[str, Any]) -> Description:
     for key in ("title", "caption", "details", "alt"):
         texts[key] = environment.from_string(getattr(figure, key)).render(facts)
     if figure.inputs:
-        sources = [PUBLISHED_TABLES.get(name, f"{name}.nc") for name in figure.inputs]
+        sources = [PUBLISHED_TABLES.get(source, f"{source}.nc") for source in figure.inputs]
         texts["details"] += f" Drawn from {', '.join(sources)}."
     return replace(figure, **texts)

@@ -38,16 +38,16 @@ def value_and_interval(data: xr.Dataset, name: str) -> xr.Dataset:
 
 
 def value_and_bounds(data: xr.Dataset, name: str) -> dict[str, Any]:
-    """Return `value`, `low` and `high` of a variable with a single number."""
+    """Return the numbers of `value_and_interval` for a variable without dimensions."""
     return {str(end): number.item() for end, number in value_and_interval(data, name).items()}
 
 
 def summarize_sets(values: xr.DataArray) -> xr.Dataset:
-    """Return the median over the sets as `value`, and SHARE_OF_SETS as `low` and `high`."""
+    """Return the median over the sets as `value`, the ends of SHARE_OF_SETS as `low` and `high`."""
     tail = (1 - SHARE_OF_SETS) / 2
     quantiles = values.quantile([0.5, tail, 1 - tail], "set", skipna=False)
-    ends = zip(("value", "low", "high"), quantiles, strict=True)
-    return xr.Dataset({name: quantile.drop_vars("quantile") for name, quantile in ends})
+    ends = zip(("value", "low", "high"), quantiles.drop_vars("quantile"), strict=True)
+    return xr.Dataset(dict(ends))
 
 
 def published_band(constants: pd.DataFrame) -> list[float]:
@@ -82,7 +82,7 @@ def draw_map(axes: Axes, heights: np.ndarray, size: float, colour: str) -> None:
 
 
 def draw_band(axes: Axes, x: Any, curve: xr.Dataset, colour: str) -> None:
-    """Fill a band from `low` to `high` where both are bounded."""
+    """Fill a band from `low` to `high` where `low` is positive and `high` finite."""
     is_bounded = (curve["low"] > 0) & (curve["high"] < np.inf)
     look: Look = {"color": colour, "alpha": style.OPACITY, "lw": 0}
     axes.fill_between(x, curve["low"], curve["high"], where=is_bounded, **look)
@@ -95,6 +95,7 @@ def draw_bars(
 
     A bar may exclude its value, because the distribution behind an interval may be skewed.
     """
+    # Infinite ends become finite, because a line to infinity is not drawn.
     low, high = (np.nan_to_num(curve[end], nan=np.nan) for end in ("low", "high"))
     colour = look.pop("ecolor", look["color"])
     bar_look: Look = {"color": colour, "lw": width, "alpha": opacity}
@@ -109,11 +110,12 @@ def draw_tolerance(axes: Axes, tolerance: float) -> None:
 
 
 def draw_ratios(axes: Axes, ratio: xr.Dataset, tolerance: float) -> None:
-    """Draw the force ratio of each surface against the cutoff (nm), and the tolerance."""
+    """Draw force ratios against the cutoff (nm, logarithmic) by surface, and the tolerance."""
     draw_tolerance(axes, tolerance)
     for factor, look, curve in style.iterate_dodged(ratio):
-        draw_bars(axes, factor * curve["cutoff_wavelength"], curve, 0.7, RATIO_BAR_OPACITY, **look)
-    axes.set(xscale="log", yscale="log")
+        cutoffs = factor * curve["cutoff_wavelength"]
+        draw_bars(axes, cutoffs, curve, width=0.7, opacity=RATIO_BAR_OPACITY, **look)
+    axes.set_xscale("log")
     axes.margins(x=0.03)
     style.label_logarithmic(axes.xaxis, digits=(1, 2, 5))
 
@@ -123,7 +125,8 @@ def draw_edges(
 ) -> None:
     """Draw the edge (nm) of each group with its interval, a row for each surface and for the mean.
 
-    An edge or an end of an interval at the position (nm) of an arrow lies there or beyond.
+    `arrows` has positions (nm) by marker. An edge or an end of an interval at such a position lies
+    there or beyond, and is drawn as that marker.
     """
     looks = style.surface_looks(labels["surface"].values) | {MEAN_GROUP: style.MEAN_LOOK}
     for row, (group, look) in enumerate(looks.items()):
@@ -141,9 +144,9 @@ def draw_edges(
 def draw_octaves(axes: Axes, sensitivity: xr.Dataset) -> None:
     """Draw d ln F / d ln a of each octave, a bar and a symbol for each surface, with its interval.
 
-    ``octave_sensitivity`` (surface, octave) is NaN where a surface has no data. Two variables
-    (surface, octave) may be there: octaves are hatched where ``is_shown`` is false, and
-    ``sphere_share`` is the dark share of a bar.
+    ``octave_sensitivity`` (surface, octave) is NaN where a surface has no data; ``octave`` is the
+    shortest wavelength (nm) of each. Two variables (surface, octave) may be there: octaves are
+    hatched where ``is_shown`` is false, and ``sphere_share`` is the grey share of a bar.
     """
     octaves = sensitivity["octave"].values
     surfaces = sensitivity.assign(value_and_interval(sensitivity, "octave_sensitivity"))
@@ -156,11 +159,11 @@ def draw_octaves(axes: Axes, sensitivity: xr.Dataset) -> None:
         widths = positions * (2**width - 1)
         axes.bar(positions, curve["value"], widths, align="edge", color=look["color"])
         if "sphere_share" in curve:
-            dark = curve["value"] * curve["sphere_share"]
-            axes.bar(positions, dark, widths, align="edge", **SPHERE_SHARE_LOOK)
+            sphere_part = curve["value"] * curve["sphere_share"]
+            axes.bar(positions, sphere_part, widths, align="edge", **SPHERE_SHARE_LOOK)
         symbol: Look = look | {"mec": "white", "mew": 0.6, "ms": 4}
         middles = positions * 2 ** (width / 2)
-        draw_bars(axes, middles, curve, 0.7, ls="none", ecolor="0.25", **symbol)
+        draw_bars(axes, middles, curve, width=0.7, ls="none", ecolor="0.25", **symbol)
     axes.axhline(0, color="0.3", lw=0.6)
     axes.set(xscale="log", xlabel="wavelength (nm)", ylabel="force change (%) per 1 % amplitude")
     axes.set_xlim(octaves[0], 2 * octaves[-1])
@@ -168,7 +171,7 @@ def draw_octaves(axes: Axes, sensitivity: xr.Dataset) -> None:
 
 
 def cut_long_intervals(axes: Axes, largest_bar: float) -> None:
-    """End the y axis at MAX_AXIS_OVER_BAR, and mark intervals that go beyond by arrows there."""
+    """End the y axis at most at MAX_AXIS_OVER_BAR, and mark longer intervals by arrows there."""
     limit = MAX_AXIS_OVER_BAR * largest_bar
     low, high = axes.get_ylim()
     low, high = max(low, -limit), min(high, limit)

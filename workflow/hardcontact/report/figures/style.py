@@ -143,6 +143,7 @@ def end_near_values(axes: Axes) -> None:
     Error bars may leave the frame: the interval of two scans may span twenty decades, and all
     values would lie in one line.
     """
+    # The y values of lines in coordinates of the axes are no data.
     heights = [
         np.asarray(line.get_ydata(), float)
         for line in axes.lines
