@@ -91,7 +91,7 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
 
 
 def _chosen_inputs(force: xr.Dataset, setting: Setting) -> list[str]:
-    """Return RANGE_NAME if the range of adhesion is the shortest that the scans permit."""
+    """Return RANGE_NAME if the range is not the paper's, but the shortest of several computed."""
     ranges = force["rho"].values
     is_shortest = len(ranges) > 1 and np.isclose(force.attrs["rho"], ranges.min())
     return [RANGE_NAME] if is_shortest and RANGE_NAME not in setting.assumed else []
@@ -134,10 +134,11 @@ def _surface_answer(
 
 
 def _octave_numbers(data: Datasets) -> Iterator[Number]:
-    """Yield the strongest octaves of one surface, and the sphere's share of the power of each."""
+    """Yield the strongest octaves of one surface, and a rough sphere's share of their power."""
     for number in strongest_octaves(data.sensitivity.isel(octave=shown_octaves(data))):
         yield number
         if number.unit == "nm" and "sphere_share" in data.spectra:
+            # An octave is named by its shortest wavelength; the share is that at its middle.
             share = sphere_share(data.spectra, np.sqrt(2) * number.value)
             yield Number(f"{number.name}_sphere_share", share)
 
@@ -162,10 +163,7 @@ def _surface_notes(surfaces: list[SurfaceAnswer]) -> Iterator[dict[str, Any]]:
     """Yield the notes in words on the surfaces: cautions, and measurements to make next."""
     yield from substitutes_note([row.label for row in surfaces if row.source != "measured"])
     for surface in surfaces:
-        facts: dict[str, Any] = {
-            "label": surface.label,
-            "several": len(surfaces) > 1,
-        } | LIMITS
+        facts: dict[str, Any] = {"label": surface.label, "several": len(surfaces) > 1, **LIMITS}
         for caution in surface.cautions:
             head = ("caution", caution.code, surface.name, caution.grave)
             yield render_note("own_caution.txt", *head, caution=caution, **facts)
@@ -207,7 +205,8 @@ def _measurement_numbers(spectra: xr.Dataset) -> Iterator[Number]:
 def _surface_head(surface: SurfaceAnswer, spectra: xr.Dataset) -> dict[str, Any]:
     """Return the head of one surface in answer.json: its name, conclusion and measurements.
 
-    `limited_by` is the limit of the shortest reliable wavelengths, "" without reliable wavelengths.
+    `limited_by` is the limit of the shortest reliable wavelengths. Without reliable wavelengths it
+    is "", unless the other body is rougher at all of them.
     """
     measurements = []
     for scan in split_measurements(spectra.sel(surface=surface.name)):

@@ -88,7 +88,7 @@ def answer_cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Cauti
 
 
 def _contact_cautions(force: xr.Dataset, numbers: Mapping[str, Number]) -> Iterator[Caution]:
-    """Yield cautions if few patches are touched, or bodies are too soft, or stick like no solid."""
+    """Yield cautions if few patches touch, bodies may be soft, or no solid has the fitted work."""
     if force["interval_source"].item() == IntervalSource.FEW_PATCHES:
         counts = [Number(name, int(force[name].item())) for name in ("contacts", "touched_patches")]
         yield Caution("few_patches", *counts, grave=True)
@@ -155,8 +155,7 @@ def _small_scan_caution(data: Datasets) -> Iterator[Caution]:
     size = number_of(data.topography, "scan_size", "nm", name="size")
     search_size = number_of(data.force, "search_size", "nm")
     share = size.value / search_size.value
-    ratio = number_without_value("ratio", low, high)
-    numbers = [size, search_size, Number("share", share), ratio]
+    numbers = [size, search_size, Number("share", share), number_without_value("ratio", low, high)]
     if share < SMALLEST_SIZE_RATIO:
         numbers.append(Number("smallest_share", SMALLEST_SIZE_RATIO))
     yield Caution("small_scan", *numbers, grave=low > 1 + data.edges.attrs["tolerance"])
@@ -225,8 +224,9 @@ def _repeated_scan_cautions(spectra: xr.Dataset) -> Iterator[Caution]:
 def _contradiction_caution(spectra: xr.Dataset) -> Iterator[Caution]:
     """Yield a caution about the two measurements that contradict each other most, if any do."""
     scans = drop_padding(spectra)
-    arrays = [scans[name].values for name in ("psd", "reliable", "kind", "size")]
-    contradictions = find_contradictions(*arrays)
+    contradictions = find_contradictions(
+        scans["psd"].values, scans["reliable"].values, scans["kind"].values, scans["size"].values
+    )
     if not contradictions:
         return
     worst = contradictions[0]

@@ -21,7 +21,7 @@ MEASUREMENT_LENGTHS = ("size", "pixel_size", "shortest_reliable", "longest_relia
 
 
 class Datasets(NamedTuple):
-    """The datasets that an answer is made from; topography and spectra may have the sphere, too."""
+    """The datasets of all surfaces, with the sphere if it is rough, or of a selected one."""
 
     topography: xr.Dataset
     spectra: xr.Dataset
@@ -66,7 +66,10 @@ def preferred_model(force: xr.Dataset) -> str:
 
 
 def stored_tabor_number(force: xr.Dataset) -> Number:
-    """Return the Tabor parameter of the contacts, NaN if their modulus is not known."""
+    """Return the Tabor parameter of the contacts, NaN if their modulus is not known.
+
+    Its status says whether the bodies are hard, as `Elasticity`.
+    """
     return Number("tabor_parameter", force.attrs["tabor_parameter"], status=force.attrs["bodies"])
 
 
@@ -83,7 +86,7 @@ def drop_padding(spectra: xr.Dataset) -> xr.Dataset:
 
 
 def fails_hindcast(data: Datasets, side: str) -> bool:
-    """Return whether the hindcast of a side fails, or no octave could be tested."""
+    """Return whether the hindcast of a side fails or tests no octave; False without a hindcast."""
     fails = data.force.get("hindcast_fails")
     return fails is not None and fails.sel(side=side).item() == 1
 
@@ -126,7 +129,10 @@ def overlaps_any(low: float, high: float, bands: Iterable[tuple[float, float]]) 
 
 
 def shown_octaves(data: Datasets) -> np.ndarray:
-    """Return a mask (octave,) of the octaves at whose middle a scan of one surface is reliable."""
+    """Return a mask (octave,) of the octaves at whose middle a scan of one surface is reliable.
+
+    `octave` is the shortest wavelength of each octave.
+    """
     middles = np.sqrt(2) * data.sensitivity["octave"].values
     bands = unreliable_bands(data.spectra)
     hidden = [(shortest < middles) & (middles < longest) for shortest, longest in bands]

@@ -29,12 +29,13 @@ class Conclusion(NamedTuple):
     """The answer of one surface in short; printed intervals have both ends."""
 
     #: "yes" if both edges are found, edges and force come from wavelengths at which a scan is
-    #: reliable, and no extrapolated force differs; "no" if none of the three comes from there, if
-    #: no edge is found, or if contacts touch too few patches; otherwise "partly".
+    #: reliable, and no extrapolated force differs; "no" if edges and force all come from unreliable
+    #: wavelengths, or if the band is "few_patches" or "unresolved"; otherwise "partly".
     answer: str
     #: "few_patches" if contacts touch too few; "unresolved" if no cutoff changes the force;
     #: "unknown" if a hindcast fails or the filter makes ripples; "overlapping" if the short edge is
-    #: longer, so that either short or long waves suffice for the force; otherwise "found".
+    #: at or above the long edge: either short or long waves alone give the force; otherwise
+    #: "found", even if an edge is only a bound.
     band: str
     short_edge: Number
     long_edge: Number
@@ -55,7 +56,7 @@ class NextScan(NamedTuple):
 def add_status(number: Number, interval_source: xr.DataArray) -> Number:
     """Return a number with a status that says why it has no interval, if it has none.
 
-    Either few patches touch, or no scan bounds the number.
+    Either contacts touch few patches, or scans do not bound the number. Other statuses stay.
     """
     is_bounded = np.isfinite([number.low, number.high]).any()
     if is_bounded or number.status not in ("", NumberStatus.NO_INTERVAL):
@@ -66,9 +67,13 @@ def add_status(number: Number, interval_source: xr.DataArray) -> Number:
 
 
 def edge_numbers(data: Datasets) -> list[Number]:
-    """Return the edges of one surface, each with its measured share and the cutoffs around it."""
+    """Return the edges of one surface, their measured shares, and cutoffs around some edges.
+
+    Both edges have no value if no cutoff changes the force. Edges without an interval have the
+    cutoffs around them.
+    """
     statuses = data.edges["edge_status"].sel(side=list(SIDES)).values.tolist()
-    if statuses == [EdgeStatus.OPEN_ABOVE, EdgeStatus.OPEN_BELOW]:  # No cutoff changes the force.
+    if statuses == [EdgeStatus.OPEN_ABOVE, EdgeStatus.OPEN_BELOW]:
         return [Number(name, np.nan, "nm", status=NoValue.NO_BAND) for name in EDGE_NAMES.values()]
     numbers = []
     for side in SIDES:
@@ -81,7 +86,7 @@ def edge_numbers(data: Datasets) -> list[Number]:
 
 
 def _edge_without_unreliable_ends(data: Datasets, side: str) -> Number:
-    """Return an edge without the ends of its interval at unreliable wavelengths.
+    """Return an edge, or its bound if it is open, without interval ends where no scan is reliable.
 
     The edge is NaN if the filter makes ripples, or if the hindcast fails, because the unfiltered
     force then rests on wrong roughness.
@@ -136,18 +141,18 @@ def reliable_and_unreliable_change(
     return float(change[~is_unreliable].sum()), float(change[is_unreliable].sum())
 
 
-def reliable_share(changes: tuple[float, float]) -> float:
-    """Return the share of the first of both changes, NaN without any change."""
-    return changes[0] / sum(changes) if sum(changes) > 0 else np.nan
+def measured_share(reliable: float, unreliable: float) -> float:
+    """Return the share of reliable wavelengths in a change of the force, NaN without a change."""
+    return reliable / (reliable + unreliable) if reliable + unreliable > 0 else np.nan
 
 
 def measured_share_at_edge(data: Datasets, side: str) -> float:
-    """Return the share of reliable wavelengths in the change at an edge, NaN for an open edge."""
+    """Return the measured share of the change at an edge, NaN if there is no edge."""
     edge = data.edges["edge"].sel(side=side).item()
     ends = (0.0, edge) if side == "short" else (edge, np.inf)
     if np.isnan(edge):
         return np.nan
-    return reliable_share(reliable_and_unreliable_change(data, side, *ends))
+    return measured_share(*reliable_and_unreliable_change(data, side, *ends))
 
 
 def edge_source(data: Datasets, side: str) -> NumberSource:
@@ -206,9 +211,10 @@ def _drop_partial_interval(number: Number) -> Number:
 
 
 def next_scans(numbers: Mapping[str, Number], spectra: xr.Dataset) -> list[NextScan]:
-    """Return a measurement to make next for each edge that is open or extrapolated.
+    """Return a measurement to make next for each edge that is open or partly unreliable.
 
-    A described spectrum gets none: its surface cannot be measured here.
+    Both edges get a measurement if no cutoff changes the force. A surface that is only described
+    gets none, because there may be nothing to scan.
     """
     if (spectra["kind"] == "description").any():
         return []
@@ -223,15 +229,15 @@ def next_scans(numbers: Mapping[str, Number], spectra: xr.Dataset) -> list[NextS
 def _next_scan(edge: Number, spectra: xr.Dataset) -> NextScan:
     """Return the measurement that would find an edge.
 
-    Its limit is the edge, or its bound, or the nearest wavelength beyond it at which no scan is
-    reliable.
+    Its limit is the edge, or its bound, if no scan is reliable there; otherwise the nearest
+    unreliable wavelength beyond. Without a value, the end of the measured wavelengths replaces the
+    edge.
     """
     bands = unreliable_bands(spectra)
     wavelength = edge.value
     is_finer = edge.name == "short_edge"
     if np.isnan(wavelength):
-        measured_end = "shortest_measured" if is_finer else "longest_measured"
-        wavelength = spectra[measured_end].item()
+        wavelength = spectra["shortest_measured" if is_finer else "longest_measured"].item()
     if edge.status in OPEN_WORDS:
         is_finer = edge.status == EdgeStatus.OPEN_BELOW
     if is_finer:

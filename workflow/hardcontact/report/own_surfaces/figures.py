@@ -66,6 +66,7 @@ def draw_octaves(datasets: Datasets) -> Figure:
     sensitivity = datasets.sensitivity.sel(surface=list(labels))
     handles = style.surface_handles(sensitivity.assign(label=("surface", [*labels.values()])))
     if "sphere_share" in datasets.spectra:
+        # `octave` is the shortest wavelength of each octave.
         middles = np.sqrt(2) * sensitivity["octave"].values
         spectra = [datasets.spectra.sel(surface=surface) for surface in labels]
         shares = [[sphere_share(spectrum, middle) for middle in middles] for spectrum in spectra]
@@ -79,7 +80,7 @@ def draw_octaves(datasets: Datasets) -> Figure:
 
 
 def draw_maps(datasets: Datasets) -> Figure:
-    """Draw the first levelled scan of each surface, and of the sphere."""
+    """Draw the first levelled scan of each surface, and of the sphere if it is rough."""
     labels = datasets.labels()
     topography = datasets.topography
     spheres = topography.sel(surface=~topography["surface"].isin(list(labels)))
@@ -104,6 +105,7 @@ def draw_cutoffs(datasets: Datasets) -> Figure:
             curve = ratios.sel(side=side, cutoff_wavelength=cutoffs)
             _draw_curve(axes, cutoffs, curve, look | {"color": colour, "label": label})
         panels.draw_tolerance(axes, datasets.edges.attrs["tolerance"])
+        # If the hindcast fails, the unfiltered force rests on wrong roughness, and so do edges.
         known_sides = [side for side in SIDE_LOOKS if not fails_hindcast(data, side)]
         known_edges = data.edges["edge"].sel(side=known_sides).values.tolist()
         _mark_positions(axes, known_edges, "edges of the band")
@@ -141,7 +143,10 @@ def draw_spectra(datasets: Datasets) -> Figure:
 
 
 def draw_forces(datasets: Datasets) -> Figure:
-    """Draw the mean force of all surfaces and contact models against the range of adhesion."""
+    """Draw the mean force of all surfaces and contact models against the range of adhesion.
+
+    Only the contact model of the answer has intervals.
+    """
     force = datasets.force
     labels = datasets.labels()
     answer_model = preferred_model(force)
@@ -171,11 +176,11 @@ def draw_works(datasets: Datasets) -> Figure:
     works = panels.value_and_interval(fit, "work_by_range") / style.MILLIJOULE
     for name in names:
         _draw_curve(axes, rho, works.sel(surface=name), looks[name] | {"label": labels[name]})
+    # The works (rho_fine, end) that agree with all measured forces, NaN at ranges without any.
     low, high = fit["region"].values.T / style.MILLIJOULE
     if len(names) > 1 and np.isfinite([low, high]).any():
-        curves = {"value": np.sqrt(low * high), "low": low, "high": high}
-        region = xr.Dataset({name: ("rho", values) for name, values in curves.items()})
-        _draw_curve(axes, rho, region, FITS_ALL_LOOK)
+        curve = {"value": ("rho", np.sqrt(low * high)), "low": ("rho", low), "high": ("rho", high)}
+        _draw_curve(axes, rho, xr.Dataset(curve), FITS_ALL_LOOK)
     _finish_over_range(figure, rho, fit.attrs["rho"], "work of adhesion (mJ/m²)")
     return figure
 
@@ -276,5 +281,5 @@ def _finish_over_range(
 
 
 def _add_legend(figure: Figure) -> None:
-    """Write each label above the panels once, in as many columns as fit."""
+    """Write each label above the panels once, in at most two columns."""
     style.legend_above(figure, list(style.legend_entries(figure.axes).values()), max_columns=2)

@@ -67,7 +67,7 @@ def fit_numbers(fit: xr.Dataset) -> list[Number]:
 
 
 def _widest_gap(rho: np.ndarray, agrees: np.ndarray) -> Number:
-    """Return the ranges (nm) that agree on both sides of the widest gap of a region."""
+    """Return the ranges (nm) beside the widest gap between ranges that agree, NaN without a gap."""
     indices = np.flatnonzero(agrees)
     steps = np.diff(indices)
     if not (steps > 1).any():

@@ -21,8 +21,8 @@ from hardcontact.report.own_surfaces.datasets import (
 from hardcontact.report.own_surfaces.edges import (
     NEARLY_ALL,
     add_status,
+    measured_share,
     reliable_and_unreliable_change,
-    reliable_share,
 )
 from hardcontact.report.quantities import NoValue, number_of, number_without_value
 from hardcontact.surfaces.spectrum import spectrum_of_dataset
@@ -33,13 +33,12 @@ WAVEVECTORS_PER_OCTAVE = 33
 
 
 def force_numbers(data: Datasets) -> list[Number]:
-    """Return the forces of one surface at the configured range, and the smooth limit."""
+    """Return the forces of one surface at the configured range, and that of a smooth sphere."""
     force = data.force
     forces = forces_at_range(force)
     mean = number_of(forces, "force", name="mean_force")
-    quantiles = forces["force_quantile"]
+    quantiles = forces["force_quantile"]  # The outermost stored quantiles are nearest to 0 and 1.
     lowest, median, highest = quantiles.sel(quantile=[0, 0.5, 1], method="nearest").values.tolist()
-    share = float(np.ptp(quantiles["quantile"].values))
     smooth = dmt_pull_off(force.attrs["work_of_adhesion"], force.attrs["sphere_radius"])
     return [
         add_status(mean, force["interval_source"]),
@@ -47,7 +46,7 @@ def force_numbers(data: Datasets) -> list[Number]:
         *_extrapolated_forces(data),
         Number("median_force", median, "N"),
         number_without_value("middle_forces", lowest, highest, "N"),
-        Number("force_middle_share", share),
+        Number("force_middle_share", float(np.ptp(quantiles["quantile"].values))),
         Number("smooth_force", float(smooth), "N"),
         number_of(forces, "log_force_std", "1"),
         number_of(force, "weibull_modulus", "1"),
@@ -61,10 +60,11 @@ def force_numbers(data: Datasets) -> list[Number]:
 def _measured_share(data: Datasets) -> Number:
     """Return the share of reliable wavelengths in the change of the force by roughness.
 
-    The source is "measured" if unreliable wavelengths change the force by at most the tolerance.
+    The source is "measured" if unreliable wavelengths change the force by at most the tolerance;
+    otherwise "unreliable" if they cause more than 90 % of the change, else "partly_unreliable".
     """
     reliable, unreliable = reliable_and_unreliable_change(data, "short")
-    share = reliable_share((reliable, unreliable))
+    share = measured_share(reliable, unreliable)
     source: NumberSource = "unreliable" if share < 1 - NEARLY_ALL else "partly_unreliable"
     if unreliable <= np.log1p(data.edges.attrs["tolerance"]):
         source = "measured"
@@ -127,17 +127,17 @@ def pair_numbers(force: xr.Dataset, pairs: Sequence[Mapping[str, Any]]) -> list[
     A pair is a row of resources/adhesion/pairs.csv. ln F is interpolated over ln(range), and not
     known beyond the computed ranges.
     """
-    configured = force.attrs["rho"], force.attrs["work_of_adhesion"]
+    configured_rho, configured_work = force.attrs["rho"], force.attrs["work_of_adhesion"]
     log_ranges, log_forces = _logarithmic_curve(force)
     numbers = []
     for pair in pairs:
         rho, work = pair["range_of_adhesion_nm"], pair["work_of_adhesion_J_m2"]
-        if np.allclose(configured, (rho, work), rtol=1e-6):
+        if np.allclose((configured_rho, configured_work), (rho, work), rtol=1e-6):
             continue
         pair_force = np.exp(np.interp(np.log(rho), log_ranges, log_forces, np.nan, np.nan))
         name = f"force_of_pair_{pair['pair']}"
         numbers += [
-            Number(name, float(pair_force * work / configured[1]), "N"),
+            Number(name, float(pair_force * work / configured_work), "N"),
             Number(f"{name}_range", rho, "nm"),
             Number(f"{name}_work", work, "J m-2"),
             Number(f"{name}_share", pair["share_of_sets"]),
@@ -155,7 +155,8 @@ def comparison_numbers(data: Datasets, reference: Datasets) -> Iterator[Number]:
     force = number_of(forces_at_range(data.force), "force")
     reference_force = number_of(forces_at_range(reference.force), "force")
     ratio = force.value / reference_force.value
-    # Scans are independent, so that the errors of both logarithms add in squares.
+    # Scans are independent, so that the errors of both logarithms add in squares. The ratio is low
+    # where the force is low or the reference force is high: [::-1] swaps the latter's ends.
     fall, rise = np.hypot(_log_distances(force), _log_distances(reference_force)[::-1])
     low, high = float(ratio * np.exp(-fall)), float(ratio * np.exp(rise))
     status = NumberStatus.PLAIN if np.isfinite([low, high]).any() else NumberStatus.NO_INTERVAL
