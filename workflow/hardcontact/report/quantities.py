@@ -48,7 +48,7 @@ def number_of(
     """Return a variable without dimensions, with its `<variable>_interval` if there is one.
 
     `unit` and `name` replace those of the variable. An interval from zero to infinity counts as
-    none.
+    none, and an unknown value has none.
     """
     unit = unit or str(dataset[variable].attrs.get("units", "1"))
     number = Number(name or variable, float(dataset[variable].item()), unit, source=source)
@@ -104,7 +104,7 @@ def answer_text(answer: Mapping[str, Any]) -> str:
 def format_number(number: Number, digits: int = 3, end: str = "") -> str:
     """Return a known number with its interval, "67 [47, 74] nm", or its "low" or "high" end.
 
-    With the status INTERVAL_OPEN_HIGH only the other end is known: "67 nm (at least 47 nm)".
+    With the status INTERVAL_OPEN_HIGH only the low end is known: "67 nm (at least 47 nm)".
     """
     open_end = ""
     if number.status.startswith("interval_open_"):
@@ -112,8 +112,7 @@ def format_number(number: Number, digits: int = 3, end: str = "") -> str:
     if end:
         number = Number(number.name, getattr(number, end), number.unit)
     print_number = format_quantity if number.unit in PRINTED_UNITS else format_as_paper
-    interval = number.low, number.high
-    return print_number(number.value, number.unit, interval, digits, open_end)
+    return print_number(number.value, number.unit, (number.low, number.high), digits, open_end)
 
 
 def describe_number(number: Number, digits: int = 3) -> str:
@@ -121,13 +120,13 @@ def describe_number(number: Number, digits: int = 3) -> str:
     if math.isfinite(number.value):
         bound = OPEN_WORDS.get(number.status, "")
         return bound + format_number(number, digits) + _open_interval_words(number, digits)
-    low, high = math.isfinite(number.low), math.isfinite(number.high)
-    if low and high:
-        end_texts = [format_number(number, digits, "low"), format_number(number, digits, "high")]
-        return " to ".join(dict.fromkeys(end_texts))
-    if low:
+    has_low, has_high = math.isfinite(number.low), math.isfinite(number.high)
+    if has_low and has_high:
+        low, high = (format_number(number, digits, end) for end in ("low", "high"))
+        return low if low == high else f"{low} to {high}"
+    if has_low:
         return f"more than {format_number(number, digits, 'low')}"
-    if high:
+    if has_high:
         return f"at most {format_number(number, digits, 'high')}"
     return NO_VALUE_WORDS.get(number.status, "not known")
 
@@ -139,11 +138,11 @@ def describe_without_interval(number: Number) -> str:
 
 def _open_interval_words(number: Number, digits: int) -> str:
     """Return the words after a value whose interval lacks one end or both, or an empty text."""
-    low, high = math.isfinite(number.low), math.isfinite(number.high)
+    has_low, has_high = math.isfinite(number.low), math.isfinite(number.high)
     if number.status in NO_INTERVAL_WORDS:
         return f" ({NO_INTERVAL_WORDS[number.status]})"
-    if low and not high:
+    if has_low and not has_high:
         return f" (at least {format_number(number, digits, 'low')})"
-    if high and not low:
+    if has_high and not has_low:
         return f" (at most {format_number(number, digits, 'high')})"
     return ""

@@ -34,7 +34,7 @@ NO_HIGH_END = (EdgeStatus.OPEN_ABOVE, NumberStatus.INTERVAL_OPEN_HIGH, *NO_INTER
 #: Numbers that answer the question; they come first.
 MAIN_NUMBERS = re.compile("(short|long)_edge(_first)?|mean_force|(range|work)_of_adhesion")
 #: Numbers beside the answer, by the beginning or end of their names; they come last.
-SIDE_NUMBERS = re.compile("(bumps|pits|gaussian|verdicts)_.*|.*_(scatter|agreeing_share)")
+MINOR_NUMBERS = re.compile("(bumps|pits|gaussian|verdicts)_.*|.*_(scatter|agreeing_share)")
 
 #: Datasets of a study with sets of scans.
 SET_DATASETS = ("sets", "topography", "filtered_forces", "features")
@@ -110,17 +110,17 @@ class ComparedNumber(NamedTuple):
             return Agreement.UNCHANGED if includes_none else Agreement.CHANGED
         if lacks_interval(self.first) and lacks_interval(self.second):
             return Agreement.NO_INTERVAL
-        low, high = zip(bounds(self.first), bounds(self.second), strict=True)
-        return Agreement.SAME if max(low) <= min(high) else Agreement.DIFFERENT
+        lows, highs = zip(bounds(self.first), bounds(self.second), strict=True)
+        return Agreement.SAME if max(lows) <= min(highs) else Agreement.DIFFERENT
 
     @property
     def sort_key(self) -> tuple[bool, bool, int, float]:
-        """Key that sorts rows: the main numbers first, then resolved, then large changes."""
+        """Key that sorts rows: main numbers first, minor last; then resolved, large changes."""
         largest = max(abs(self.first.value), abs(self.second.value)) or 1.0
         size = np.nan_to_num(abs(self.second.value - self.first.value) / largest)
-        is_side = bool(SIDE_NUMBERS.fullmatch(self.name))
+        is_minor = bool(MINOR_NUMBERS.fullmatch(self.name))
         is_main = bool(MAIN_NUMBERS.fullmatch(self.name))
-        return is_side, not is_main, AGREEMENT_RANKS.get(self.agreement, 2), -size
+        return is_minor, not is_main, AGREEMENT_RANKS.get(self.agreement, 2), -size
 
 
 def compare_answers(
@@ -128,8 +128,8 @@ def compare_answers(
 ) -> tuple[list[ChangedInput], list[ComparedNumber]]:
     """Return the inputs that differ between two answers, and the results that both have.
 
-    Single surfaces are compared whatever their names are. Raises ValueError if one study is the
-    paper's kind and one of the user's surfaces.
+    If each study has one surface, both are compared whatever their names are. Raises ValueError if
+    one study is the paper's kind and one of the user's surfaces.
     """
     if first["kind"] != second["kind"]:
         raise ValueError(
@@ -149,14 +149,14 @@ def compare_answers(
 
 def _changed_contact(first: Mapping[str, Any], second: Mapping[str, Any]) -> Iterator[ChangedInput]:
     """Yield the inputs of contacts, and the surfaces, that differ between two answers."""
-    texts = [
+    first_texts, second_texts = (
         {**answer["contact"], "surfaces": ", ".join(row["label"] for row in answer["surfaces"])}
         for answer in (first, second)
-    ]
-    for name in {**texts[0], **texts[1]}:
-        values = texts[0].get(name, ""), texts[1].get(name, "")
-        if values[0] != values[1]:
-            yield ChangedInput("", name, *values)
+    )
+    for name in first_texts | second_texts:
+        first_text, second_text = first_texts.get(name, ""), second_texts.get(name, "")
+        if first_text != second_text:
+            yield ChangedInput("", name, first_text, second_text)
 
 
 def _numbers_of_both(
@@ -185,7 +185,10 @@ def is_known(number: Number) -> bool:
 
 
 def lacks_interval(number: Number) -> bool:
-    """Return whether a number has neither an interval nor a bound."""
+    """Return whether a number has neither an interval nor a bound.
+
+    A number that scans do not bound counts as one with an infinite interval.
+    """
     has_no_end = math.isnan(number.low) and math.isnan(number.high)
     return has_no_end and number.status not in (*NO_LOW_END, *NO_HIGH_END)
 
@@ -207,13 +210,13 @@ def pairing(first_study: Mapping[str, xr.Dataset], second_study: Mapping[str, xr
     """
     if not (first_study and second_study):
         return "no_sets"
-    surfaces = [_recorded_surfaces(study) for study in (first_study, second_study)]
+    first, second = _recorded_surfaces(first_study), _recorded_surfaces(second_study)
     same_seeds = _sampling(first_study["sets"]) == _sampling(second_study["sets"])
-    if not same_seeds or surfaces[0].sizes != surfaces[1].sizes:
+    if not same_seeds or first.sizes != second.sizes:
         return "other_scans"
     same_surfaces = all(
-        np.allclose(surfaces[0][name], surfaces[1][name], TOLERANCE, 0, equal_nan=True)
-        for name in surfaces[0]
+        np.allclose(first[name], second[name], rtol=TOLERANCE, atol=0, equal_nan=True)
+        for name in first
     )
     return "paired" if same_surfaces else "other_scans"
 
@@ -248,7 +251,7 @@ def add_paired_intervals(
 
 
 def _set_numbers(study: Mapping[str, xr.Dataset]) -> dict[tuple[str, str], xr.DataArray]:
-    """Return the numbers (set,) or (sample,) by the label of the surface and their name.
+    """Return the numbers (set,) or (candidate,) by the label of the surface and their name.
 
     The label is empty for the whole study, and names are as in answer.json.
     """
@@ -276,7 +279,7 @@ def _set_numbers(study: Mapping[str, xr.Dataset]) -> dict[tuple[str, str], xr.Da
 def _add_change_interval(
     number: ComparedNumber, first: xr.DataArray, second: xr.DataArray, confidence: float
 ) -> ComparedNumber:
-    """Return a number with the interval of its change, from both numbers (set,) of each set."""
+    """Return a number with the interval of its change, from numbers of the same sets in order."""
     changes = second / first if number.change.name == "ratio" else second - first
     interval = sets_interval(changes.values, confidence)
     low, high = stretch_interval(interval, number.change.value)

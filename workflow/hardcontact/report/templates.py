@@ -63,7 +63,7 @@ def render_page(
 
 
 def render_template(template: str, **facts: Any) -> str:
-    """Return a template with the facts that it names, as it stands."""
+    """Return the text that a template makes of the facts that it names."""
     return str(_environment().get_template(template).render(**facts))
 
 
@@ -127,7 +127,7 @@ def _code_commit() -> str:
 
 
 def _security_policy(script: str) -> str:
-    """Return the security policy of a page: only its own style, script and folder's pictures."""
+    """Return the security policy of a page: no network, one script, own styles, local pictures."""
     digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
     allowed = f"img-src data: file: 'self'; style-src 'unsafe-inline'; script-src 'sha256-{digest}'"
     return f"default-src 'none'; {allowed}"

@@ -39,7 +39,8 @@ ANSWER_CLAIMS = {
 }
 #: Status of an edge that lies beyond the cutoffs, by its side.
 OPEN_STATUSES = {"short": EdgeStatus.OPEN_ABOVE, "long": EdgeStatus.OPEN_BELOW}
-#: Contact model and index of the range at which edge_shifts.nc has the edge without each reason.
+#: Contact model and index of the ascending ranges of adhesion at which edge_shifts.nc has the edge
+#: without the reason of each shift.
 FORMER_EDGES = {"plasticity_shift": (RIGID, -1), "range_shift": (PLASTIC, 0)}
 #: Parameters that are fitted to the forces of each set of scans, with units.
 PAIR_UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
@@ -104,7 +105,7 @@ def paper_answer(
         "notes": notes,
         "quantities": all_quantities(
             [*numbers.values(), *verdict_numbers],
-            {name: coatings[name].values() for name in coatings},
+            {name: coating_numbers.values() for name, coating_numbers in coatings.items()},
         ),
     }
 
@@ -113,8 +114,7 @@ def study_numbers(
     claims: pd.DataFrame, datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame
 ) -> Iterator[Number]:
     """Yield the numbers of the whole study, in the units of the claims."""
-    known_claims = claims.dropna(subset="computed")
-    rows: dict[str, Any] = {str(row.id): row for row in known_claims.itertuples()}
+    rows: Any = {row.id: row for row in claims.dropna(subset="computed").itertuples()}
     for name, claim in ANSWER_CLAIMS.items():
         if claim in rows:
             yield from _claim_numbers(name, rows[claim], datasets)
@@ -160,7 +160,7 @@ def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> l
             source = _edge_source(datasets["filtered_forces"], side, row.computed)
         if name == edge_name and np.isnan(mean_edges.sel(side=side).item()):
             status = OPEN_STATUSES[side]
-    if name in FORMER_EDGES:  # It rests on the edge without this reason, too.
+    if name in FORMER_EDGES:  # The edge without the reason of a shift may be artificial.
         model, end = FORMER_EDGES[name]
         shifts = datasets["edge_shifts"].sel(side="short", group=MEAN_GROUP, contact_model=model)
         former_edge = shifts["edge"].sortby("rho").isel(rho=end).item()
@@ -175,17 +175,18 @@ def surface_numbers(surface: str, datasets: Mapping[str, xr.Dataset]) -> dict[st
     """Return both edges of one substrate, its mean force, and two ratios of forces.
 
     The mean force is at the published range and work of adhesion. The ratios are of the force on
-    the band alone to that on all roughness, and of the force on small scans to large surfaces.
+    the band alone to that on all roughness, and of the force on small scans to large surfaces. The
+    latter is known for the surfaces of scan_size.nc only.
     """
-    band, sets = datasets["edges"], datasets["sets"]
+    edges, sets = datasets["edges"], datasets["sets"]
     numbers = {}
     for side, name in EDGE_NAMES.items():
-        labels = {"side": side, "group": surface}
-        value = edges_or_bounds(band).sel(labels).item()
-        samples = edges_or_bounds(sets).sel(labels).values
-        interval = interval_ends(band.sel(labels), "edge")
-        low, high = interval_with_sets(value, interval, samples, band.attrs["confidence"])
-        status = _interval_status(find_open_end(side, value, low, high, [band, sets]))
+        selection = {"side": side, "group": surface}
+        value = edges_or_bounds(edges).sel(selection).item()
+        set_values = edges_or_bounds(sets).sel(selection).values
+        interval = interval_ends(edges.sel(selection), "edge")
+        low, high = interval_with_sets(value, interval, set_values, edges.attrs["confidence"])
+        status = _interval_status(find_open_end(side, value, low, high, [edges, sets]))
         source = _edge_source(datasets["filtered_forces"], side, value)
         numbers[name] = Number(name, value, "nm", low, high, status, source)
     fit = datasets["fit"].sel(contact_model=PLASTIC, pair="published", surface=surface)
@@ -226,7 +227,10 @@ def _pairs_of_sets(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) 
 
 
 def _feature_numbers(features: xr.Dataset, confidence: float) -> Iterator[Number]:
-    """Yield the forces on surfaces with bumps, with pits, and Gaussian, and the published ones."""
+    """Yield the forces on candidates with bumps, with pits, and Gaussian, and how many agree.
+
+    The published forces follow. Nothing is yielded without candidates.
+    """
     if features.sizes["candidate"] == 0:
         return
     for kind, candidates in features.groupby("features"):
@@ -241,7 +245,7 @@ def _feature_numbers(features: xr.Dataset, confidence: float) -> Iterator[Number
 
 
 def _median_number(name: str, unit: str, sample: np.ndarray, confidence: float) -> Number:
-    """Return the median over sets or samples of a number, with the interval of the claims."""
+    """Return the median of a number over sets or candidates, with its percentile interval."""
     return Number(name, np.quantile(sample, 0.5), unit, *percentile_interval(sample, confidence))
 
 

@@ -61,25 +61,29 @@ def figures_page(
 ) -> str:
     """Return the page of all figures of the paper's study, and of Table 1 from `table1_rows`."""
     groups = groupby(PAPER_FIGURES, key=lambda name: describe_figure(name).chapter)
-    chapters = [(heading, list(names)) for heading, names in groups]
+    figure_groups = [(heading, list(names)) for heading, names in groups]
     facts = {"answer": answer, "table1": table1, "figures": figures, "captions": captions}
-    return render_document("figures.html", frame, "figures", chapters=chapters, **facts)
+    return render_document("figures.html", frame, "figures", figure_groups=figure_groups, **facts)
 
 
 def report_pages(
     claims: pd.DataFrame,
-    changed: Sequence[Mapping[str, str]],
-    texts: Mapping[str, str],
+    changed_inputs: Sequence[Mapping[str, str]],
+    chapters: Mapping[str, str],
     configuration: Mapping[str, Any],
     versions: Mapping[str, str],
     frame: Frame,
 ) -> dict[str, str]:
-    """Return the report's pages as HTML by name: `claims`, each text in Markdown, `parameters`."""
+    """Return the report's pages as HTML by name: `claims`, each chapter, `parameters`.
+
+    `claims` comes from `read_judged_claims`, `changed_inputs` from the function of this name.
+    `chapters` are texts in Markdown by page.
+    """
     confidence = configuration["intervals"]["confidence"]
     facts = claim_facts(claims, configuration["sets"]["count"], confidence)
-    facts |= {"changed": changed, "confidence": confidence}
+    facts |= {"changed": changed_inputs, "confidence": confidence}
     pages = {"claims": render_document("claims.html", frame, "claims", **facts)}
-    for name, text in texts.items():
+    for name, text in chapters.items():
         chapter = convert_chapter(text, frame.pages)
         pages[name] = render_document("chapter.html", frame, name, chapter=chapter)
     parameters = yaml.safe_dump(configuration, allow_unicode=True)
@@ -142,7 +146,7 @@ def _set_anchors(tokens: Sequence[Token]) -> list[tuple[str, str]]:
 
 
 def _label_cells(tokens: Sequence[Token]) -> None:
-    """Mark the first cells of Markdown tables as column headings, and label other cells with them.
+    """Mark the headings of columns in tables, and label the other cells with them.
 
     A page that is too narrow for a header shows the labels.
     """
