@@ -1,8 +1,9 @@
 """The pull-off forces on the user's surfaces at one work and all ranges of adhesion: force.nc.
 
 Forces on scans come from the roughness of the scans alone. The extrapolated force also has the
-roughness that the microscope does not show. `contact_model` is plastic or rigid contact, `rho` the
-range of adhesion (nm), and `side` the short or the long edge of the band.
+roughness that the microscope does not show. `contact_model` is plastic or rigid contact, and
+`side` the short or the long edge of the band. The dimension `rho` has all ranges of adhesion (nm),
+the attribute `rho` that of the study.
 """
 
 from collections.abc import Mapping, Sequence
