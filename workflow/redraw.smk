@@ -12,7 +12,7 @@ configfile: study_inputs.finished_configuration(config)
 include: "rules/common.smk"
 
 
-write_pins()
+write_pins()  # In a whole run surfaces.smk does, which is not needed here.
 
 
 if IS_PAPER_STUDY:

@@ -1,8 +1,9 @@
-# Adhesion: rigid and plastic pull-off of every sphere scan on every substrate scan.
+# Adhesion: rigid and plastic pull-off of the sphere on every substrate scan.
+# Names in capitals that are not defined here: common.smk and surfaces.smk.
 
 
 rule compute_pull_off:
-    """Compute rigid and plastic pull-off of a substrate scan, under each scan of the sphere."""
+    """Compute rigid and plastic pull-off of a substrate scan, at each position on the sphere."""
     input:
         substrate=lambda w: FILES.mirrored_scan_path(w.surface, int(w.scan)),
         spheres=FILES.mirrored_scan_paths(SELECTION.sphere),
@@ -15,7 +16,7 @@ rule compute_pull_off:
 
 
 rule aggregate_adhesion:
-    """Gather the pull-off forces of all sphere scans on all substrate scans: adhesion.nc."""
+    """Gather the pull-off forces on all substrate scans: adhesion.nc."""
     input:
         scans=FILES.paths(STORE.pull_off, PLAN.substrate_scan_ids),
     output:

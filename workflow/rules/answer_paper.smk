@@ -1,5 +1,6 @@
 # The figures, the answer of the paper's study, and the pages of its report, which
 # `snakemake --report` gathers. redraw.smk makes them from final datasets and published tables alone.
+# Names in capitals that are not defined here: common.smk.
 
 from hardcontact.records.code import ENVIRONMENT_PINS, code_inputs, page_templates
 from hardcontact.report.figures.listing import PAPER_FIGURES, caption
@@ -60,7 +61,7 @@ rule answer_paper:
         chapters=[
             f"workflow/report/{page}.md"
             for page in PAGES
-            if page not in ("figures", "claims", "parameters")
+            if page not in ("figures", "claims", "parameters")  # These have no Markdown file.
         ],
         pages="workflow/report/pages.yaml",
         captions="workflow/report/figures.yaml",

@@ -1,10 +1,12 @@
 # The page that answers for the user's surfaces, and its figures.
+# Names in capitals that are not defined here: common.smk.
 
 from hardcontact.config.configuration import assumed_quantities, contact_words
 from hardcontact.config.user_files import read_yaml
 from hardcontact.records.code import page_templates
 from hardcontact.report.figures.listing import FILE_KINDS, OWN_FIGURES
 
+#: The figure of works of adhesion shows the fit to measured forces.
 DRAWN_FIGURES = [name for name in OWN_FIGURES if name != "works" or HAS_FORCES]
 
 

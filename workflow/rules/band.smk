@@ -1,5 +1,6 @@
 # The band of the paper's study: its edges, the force on the band alone, and how radius, load, plasticity
 # and range of adhesion move the edges.
+# Names in capitals that are not defined here: common.smk and surfaces.smk.
 
 EXPONENT_CHUNKS = CHUNKS.master_forces("exponents")
 EDGE_SHIFT_CHUNKS = CHUNKS.master_forces("edge_shifts")
@@ -10,7 +11,7 @@ BAND_FORCES = RESULTS.dataset("band/{surface}")
 
 
 # Intervals are over masters, because each has its own scan and all are independent. Studies with few
-# scans use `find_edges_of_scans`.
+# scans use `find_edges_of_scans` (own_surfaces.smk).
 rule find_edges_of_masters:
     """Find the edges of the band of the paper's study: edges.nc."""
     input:

@@ -1,4 +1,5 @@
 # The roughness of both bodies in one: that of the scanned sphere, added to that of each substrate.
+# Names in capitals that are not defined here: common.smk and surfaces.smk.
 
 from hardcontact.files.paths import any_name_pattern
 

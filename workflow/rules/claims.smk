@@ -1,4 +1,5 @@
 # Claims: each statement of the paper beside what was computed.
+# Names in capitals that are not defined here: common.smk.
 
 from hardcontact.base.published import CLAIMS
 from hardcontact.paper.claims.statements import datasets_of_claims

@@ -1,4 +1,5 @@
 # Description of a study: its configuration, and the list of its variables.
+# Names in capitals that are not defined here: common.smk.
 
 #: The final datasets of the study: those of all rules before, except the parts of a dataset.
 FINAL_DATASETS = [

@@ -1,9 +1,11 @@
 # Fits to the published forces: range and work of adhesion, and classical models of adhesion.
+# Names in capitals that are not defined here: common.smk.
 
 
-# The user's forces are often too few for one pair: `fit_measured` finds all that they permit.
+# The user's forces are often too few for one pair: `fit_measured` (own_surfaces.smk) finds all pairs that
+# they permit.
 rule fit_published:
-    """Fit one pair of range and work of adhesion to the published forces: fit.nc."""
+    """Fit range and work of adhesion of each contact model to the published forces: fit.nc."""
     input:
         adhesion=RESULTS.dataset("adhesion"),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],

@@ -1,4 +1,5 @@
 # Masters: scans with artificial roughness, and forces on them without the waves beyond each cutoff.
+# Names in capitals that are not defined here: common.smk and surfaces.smk.
 
 from hardcontact.config.keys import SMOOTH_SPHERE
 from hardcontact.files.settings import largest_master_megabytes

@@ -1,4 +1,5 @@
 # Octaves: forces on whole surfaces and on scans, with each octave of waves changed.
+# Names in capitals that are not defined here: common.smk and surfaces.smk.
 
 
 rule compute_whole_surface_forces:

@@ -1,9 +1,10 @@
 # What follows for the user's surfaces: whether their scans may be extrapolated (hindcast), the edges of the
 # band, the force on the surfaces, and the fit to measured forces.
+# Names in capitals that are not defined here: common.smk and surfaces.smk.
 
 
 rule compute_hindcast_forces:
-    """Compute the forces on a scan with its outermost octave replaced, and with wider pixels."""
+    """Compute the forces on a scan with either outermost octave replaced, and with wider pixels."""
     input:
         mirrored=lambda w: FILES.contact_map_path(w.surface, int(w.scan)),
         spectrum=lambda w: FILES.contact_spectrum_path(w.surface),
@@ -55,8 +56,8 @@ MASTER_PARAMETERS = {
 }
 
 
-# Intervals are over parts of scans, because masters share few scans. `find_edges_of_masters` needs
-# independent masters.
+# Intervals are over parts of scans, because masters share few scans. `find_edges_of_masters`
+# (band.smk) needs independent masters.
 rule find_edges_of_scans:
     """Find the edges of the band of the user's surfaces: edges.nc."""
     input:
@@ -94,7 +95,7 @@ rule compute_force_at_pair:
 if HAS_FORCES:
 
     # Forces on one surface give one work for each range, those on several a region of pairs;
-    # `fit_published` finds the best pair.
+    # `fit_published` (fits.smk) finds the best pair.
     rule fit_measured:
         """Find all pairs of range and work of adhesion that agree with the user's forces: fit.nc."""
         input:

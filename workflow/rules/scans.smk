@@ -1,10 +1,11 @@
 # Scans: substitutes where none was measured; all are then prepared and measured in the same way.
+# Names in capitals that are not defined here: common.smk and surfaces.smk.
 
 from hardcontact.files.paths import any_name_pattern
 
 
 rule calibrate_spectrum:
-    """Make the spectrum of a substitute from its description and Table 1."""
+    """Make the spectrum of a substitute from its description and its rows of Table 1, if any."""
     input:
         **DESCRIPTION_INPUTS,
         published_table1=PUBLISHED_TABLES["published_table1"],

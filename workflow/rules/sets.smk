@@ -1,4 +1,5 @@
 # Sets of substitute scans, sampled from pools: their numbers, features and posterior.
+# Names in capitals that are not defined here: common.smk and surfaces.smk.
 
 from hardcontact.base.published import CLAIMS
 from hardcontact.paper.claims.statements import claims_of_sets

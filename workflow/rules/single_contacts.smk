@@ -1,5 +1,6 @@
-# Single contacts: one as it separates, for Fig. 4a; elastic ones; the indents that they leave in the
-# sphere; the asperities that carry their force.
+# Single contacts: one as it separates, for Fig. 4a; elastic contacts; the indents that contacts leave in
+# the sphere; the asperities that carry the force.
+# Names in capitals that are not defined here: common.smk and surfaces.smk.
 
 # The paper does not say which contact Fig. 4a shows. This one is in the middle of the array on the
 # first scan of the reference surface, with the first scan of the sphere.
@@ -7,7 +8,7 @@ TRACED_CONTACT = {
     **SELECTION.attributes(STUDY["reference_surface"]),
     "scan": SELECTION.contact_scans(STUDY["reference_surface"])[0],
     "sphere_scan": SELECTION.contact_scans(SELECTION.sphere)[0],
-    "contact_index": [STUDY["contact"]["contacts_per_row"] // 2] * 2,
+    "contact_index": [STUDY["contact"]["contacts_per_row"] // 2] * 2,  # row and column
 }
 INDENTING_SURFACE = STUDY["indent"]["surface"]
 #: All scans of a substrate, and for each the scan of the sphere that meets it.

@@ -1,4 +1,5 @@
-# Spectra of the user's surfaces, sampled within their uncertainty.
+# Spectra: sampled for the user's measured surfaces, gathered for all surfaces.
+# Names in capitals that are not defined here: common.smk and surfaces.smk.
 
 
 rule sample_spectra:

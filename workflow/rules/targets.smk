@@ -1,4 +1,5 @@
 # Named targets: datasets by subject, figures one by one, pages, and the check of files.
+# Names in capitals that are not defined here: common.smk.
 
 from hardcontact.report.figures.listing import FILE_KINDS, PAPER_FIGURES
 
