@@ -163,6 +163,7 @@ def _square_pixels(
     values = heights.filled(np.nan)
     for axis, width in enumerate(widths):
         positions = np.arange(values.shape[axis]) * width
+        # Rounding must not lose the last pixel.
         grid = np.arange(int(values.shape[axis] * width / wider * (1 + 1e-9))) * wider
         lines = [np.interp(grid, positions, line) for line in np.moveaxis(values, axis, -1)]
         values = np.moveaxis(np.array(lines), -1, axis)
@@ -229,7 +230,7 @@ def _uniform_grid(positions: Floats) -> tuple[Floats, list[str]]:
     if np.abs(positions - uniform).max() < POSITION_ROUNDING * spacings.mean():
         return positions, []
     spacing = float(np.median(spacings))
-    count = int((positions[-1] - positions[0]) / spacing + 1 + 1e-9)
+    count = int((positions[-1] - positions[0]) / spacing + 1 + 1e-9)  # 1e-9 for rounding
     refuse_point_counts((count,))
     note = (
         f"resampled from spacings of {spacings.min():.4g} to {spacings.max():.4g} nm "

@@ -105,7 +105,7 @@ def _container_entries(content: bytes) -> list[dict[str, Any]] | None:
             return None
         text = archive.read(name)
     try:
-        contents = json.loads(text) if name == INDEX_FILES[0] else yaml.load(text, yaml.CFullLoader)
+        contents = json.loads(text) if name.endswith(".json") else yaml.load(text, yaml.CFullLoader)
         surfaces = contents["surfaces"]
         entries = [
             _container_entry(scan) for surface in surfaces for scan in surface["topographies"]

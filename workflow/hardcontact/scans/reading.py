@@ -41,7 +41,7 @@ SMALL_FILE_SECONDS = 2
 SECONDS_PER_MEGABYTE = 10
 #: Elapsed time in s, with waits for a processor: five times the longest computing time.
 MAX_WAIT_SECONDS = 600
-#: Whether pixels under a mask of the file are heights, or undefined.
+#: Pixels under a mask of the file are heights (keep), or undefined (exclude).
 MASKS = ("keep", "exclude")
 #: The longest message in characters.
 MAX_MESSAGE_LENGTH = 2000
@@ -54,7 +54,7 @@ class ReadingOptions(NamedTuple):
     unit: str = "none"  #: Unit of length, or units of positions and of heights.
     map_size: float | str = "none"  #: Longer side in nm.
     levelling: str = "plane"
-    mask: str = MASKS[0]
+    mask: str = "keep"  #: One of MASKS.
     undefined_pixels: str = "harmonic"  #: They are filled, so that the scan can be measured.
 
     def read_scan(self, path: str | Path, dataset: str) -> HeightMap:

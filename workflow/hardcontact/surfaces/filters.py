@@ -39,7 +39,8 @@ def lowpass(surface: HeightMap, cutoff: float) -> HeightMap:
 
 
 def _order_limit(surface: HeightMap, cutoff: float) -> float:
-    """Return the order of a wave as long as a cutoff; longer waves have lower orders."""
+    """Return the highest order of waves at least as long as a cutoff (nm), not rounded."""
+    # The margin keeps a wave at the cutoff among the longer ones in spite of rounding.
     order_limit = surface.size / cutoff * (1 + 1e-12)
     if 2 * int(order_limit) + 2 > surface.pixels:
         raise ValueError(

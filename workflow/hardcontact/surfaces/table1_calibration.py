@@ -57,6 +57,7 @@ def scan_rms_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weig
     # An entry of the transform of a real map stands for both waves of a pair of opposite q_x.
     wave_count = np.where((q_x == 0) | (q_x == q_x.max()), 1.0, 2.0)
     highest = np.hypot(q_y.max(), q_x.max())
+    # Margins keep the lowest and the highest wavevector within the bins.
     edges = np.geomspace(q_x[1] * 0.999, highest * 1.001, BIN_COUNT + 1)
     mean, slope = squared_projections(q_y * window_pixels * pixel_size / 2)
     # The squared difference operator along one axis.
