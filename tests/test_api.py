@@ -41,7 +41,7 @@ def files(tmp_path, monkeypatch, quick_predictions):
     monkeypatch.chdir(tmp_path)
     heights = random_map(generator(3), 128, PIXEL).heights / 4
     scan_files.write_scan(tmp_path / "scan.nc", heights.T, (1280.0, 1280.0))
-    spectrum = self_affine_spectrum(17, 1000, 0.8, 20)
+    spectrum = self_affine_spectrum(rms=17)
     rows = ["wavevector,wavevector_unit,c_iso,c_iso_unit"]
     rows += [
         f"{q!r},rad/nm,{c!r},nm4"

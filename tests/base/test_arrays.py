@@ -1,6 +1,7 @@
 """Generators depend on the seed and on their purpose, and on nothing else."""
 
 import hashlib
+from dataclasses import replace
 
 import numpy as np
 
@@ -18,7 +19,8 @@ def test_numbers_follow_from_the_seed_and_the_digest_of_the_names():
 
 
 def test_each_purpose_has_its_own_random_numbers():
-    study, classical = Sampling(3, 10, 0.95), Sampling(3, 10, 0.95, ("sampling", "classical"))
+    study = Sampling(seed=3, sample_count=10, confidence=0.95)
+    classical = replace(study, stream=("sampling", "classical"))
     number = generator(3, "sampling", "classical", "scales").random()
     assert classical.generator("scales").random() == number
     assert study.generator("scales").random() == generator(3, "sampling", "scales").random()

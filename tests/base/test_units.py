@@ -29,7 +29,7 @@ def test_a_quantity_becomes_a_number_in_its_unit(text, unit, value):
      "10 foo", "10 Nm", "10 nm2", "10 mmm", ". nm", "١ nm", 10,
      None, ["1 nm"], "__import__('os') nm"],
 )  # fmt: skip
-def test_other_texts_than_lengths_are_refused_in_one_line(text):
+def test_values_that_are_no_lengths_are_refused_in_one_line(text):
     with pytest.raises(
         ValueError, match="expected a length with a unit, such as 5.6 nm or 250 um, found"
     ) as refusal:

@@ -96,9 +96,9 @@ def rough_sphere():
     yield "400 contacts at 12 ranges on 1024² pixels, rough sphere", seconds, ""
 
 
-def elastic_contact(pixels=512):
+def elastic_contact():
     bodies, _ = bodies_in_contact(mirrored_scan(1, 1.0))
-    window = square_around_lowest(reference_gap_map(bodies, (3, 5)), pixels)
+    window = square_around_lowest(reference_gap_map(bodies, (3, 5)), 512)
     problem = window, bodies.geometry.pixel_size, MODULUS
     seconds, pressure = timed(pressure_at_load, *problem, CONTACT.preload)
     library_seconds, expected = timed(library_pressure, *problem, CONTACT.preload)

@@ -29,7 +29,7 @@ def only_scan(path, tip_radius=None, **others):
 
 
 def wave(slope=0.05):
-    """Heights (x, y) in nm of eight waves along x on a tilted plane of 640 nm."""
+    """Heights (x, y) in nm of eight waves along x on a plane of 640 nm that is tilted along y."""
     x = (np.arange(64) + 0.5) / 64
     return 2 * np.cos(16 * np.pi * x)[:, None] + slope * 640 * x
 

@@ -103,7 +103,7 @@ def test_faulty_options_are_reported_with_the_faults_of_the_table(tmp_path):
 
 
 def test_nothing_is_replaced_unasked(write_table, tmp_path):
-    path = write_table(*rows_of(self_affine_spectrum(17, 1000, 0.8, 20)))
+    path = write_table(*rows_of(self_affine_spectrum(rms=17)))
     numbers = tmp_path / "numbers.json"
     numbers.write_text("{}")
     assert_says(
@@ -125,7 +125,7 @@ def test_nothing_is_replaced_unasked(write_table, tmp_path):
 
 
 def test_numbers_and_words_are_those_of_the_closed_form(write_table):
-    spectrum = self_affine_spectrum(17, 1000, 0.8, 20)
+    spectrum = self_affine_spectrum(rms=17)
     options = ["--range", "8nm", "--work", "50 mJ/m2"]
     numbers = predict_json(write_table(*rows_of(spectrum)), *options)
     contact = replace(PAPER_CONTACT, rho=8.0, work=0.05)
@@ -147,9 +147,7 @@ def test_numbers_and_words_are_those_of_the_closed_form(write_table):
 
 def test_unknown_quantities_have_a_status_and_no_number(write_table):
     """An almost smooth surface has no edge; the prediction reports where its error is unknown."""
-    numbers = predict_json(
-        write_table(*rows_of(self_affine_spectrum(0.02, 1000, 0.8, 20))), "--radius", "5um"
-    )
+    numbers = predict_json(write_table(*rows_of(self_affine_spectrum(rms=0.02))), "--radius", "5um")
     assert numbers["short_edge"] == {"value": None, "unit": "nm", "status": "none"}
     assert numbers["weibull_modulus"]["status"] == "smooth"
     assert numbers["closed_form_force"]["status"] == "outside"
@@ -158,7 +156,7 @@ def test_unknown_quantities_have_a_status_and_no_number(write_table):
 
 def test_short_waves_missing_from_the_table_are_extrapolated(write_table):
     """The missing waves of an optical spectrum change the force, unless the table ends with 0."""
-    rows = rows_of(self_affine_spectrum(17, 4000, 0.8, 1500))
+    rows = rows_of(self_affine_spectrum(rms=17, rolloff=4000, shortest=1500))
     numbers, spectrum = predict_json(write_table(*rows)), read_spectrum_table(write_table(*rows))
     variance = np.full(spectrum.density.shape, CALIBRATION_SCATTER**2)
     fit = fit_hurst_exponent(spectrum.wavevector, spectrum.density, variance)
@@ -166,7 +164,7 @@ def test_short_waves_missing_from_the_table_are_extrapolated(write_table):
     extrapolated_force = closed_form(Spectrum(WAVEVECTORS, density), PAPER_CONTACT).force
     assert numbers["extrapolated_force"]["value"] == pytest.approx(extrapolated_force, rel=1e-6)
     assert numbers["extrapolated_change"]["status"] == "matters"
-    for ended in ([*rows, "1,rad/nm,0,nm4"], rows_of(self_affine_spectrum(17, 1000, 0.8, 0.1))):
+    for ended in ([*rows, "1,rad/nm,0,nm4"], rows_of(self_affine_spectrum(rms=17, shortest=0.1))):
         numbers = predict_json(write_table(*ended))
         assert "extrapolated_force" not in numbers
         assert numbers["extrapolated_change"]["status"] == "negligible"
@@ -201,7 +199,7 @@ def test_implausible_quantities_are_questioned(name, usual, questioned):
 
 def test_a_compliant_sphere_has_a_large_tabor_parameter(write_table):
     """A smooth sphere has the Tabor parameter (R W²/(E*² rho³))^(1/3)."""
-    path = write_table(*rows_of(self_affine_spectrum(17, 1000, 0.8, 20)))
+    path = write_table(*rows_of(self_affine_spectrum(rms=17)))
     hard, soft = (predict_json(path, "--modulus", modulus) for modulus in ("290GPa", "1MPa"))
     number = (250e-6 * 0.0463**2 / (1e6**2 * 5.6e-9**3)) ** (1 / 3)
     assert soft["tabor_parameter"]["value"] == pytest.approx(number, rel=1e-3)

@@ -1,4 +1,4 @@
-"""The contact pixels are those with the smallest gaps of the whole window."""
+"""Contact pixels have the smallest gaps of the window; their number; windows at a border."""
 
 import numpy as np
 import pytest

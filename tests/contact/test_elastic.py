@@ -16,11 +16,13 @@ WORK, RHO = 46.3e-3, 5.6
 
 
 def sphere_gap(pixels, pixel_size, radius=RADIUS):
+    """The gap (pixels, pixels) in nm under a smooth sphere."""
     shape = ((np.arange(pixels) - pixels // 2) * pixel_size) ** 2 / (2 * radius)
     return shape[:, None] + shape
 
 
 def rough_gap(rms):
+    """The gap (64, 64) in nm over noise of an rms height."""
     return sphere_gap(64, 12.0) - periodic_noise(64, rms, 4)
 
 

@@ -16,7 +16,7 @@ def heights(pixels):
 
 
 def test_contacts_on_a_mirrored_surface_never_repeat_a_position():
-    # On a mirrored surface position p and n - 1 - p are alike; the array must not repeat itself.
+    # On a mirrored surface the positions p and n - 1 - p are alike.
     positions = geometry.contact_positions(1024, 20)
     folded = np.minimum(positions, 1023 - positions)
     assert len(np.unique(folded)) == 20

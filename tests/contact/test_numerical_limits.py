@@ -36,7 +36,10 @@ def scan_over_surface_force(rms_height, pixels):
     surface_forces, scan_forces = [], []
     for draw in range(20):
         surface = random_surface(
-            generator(5, draw), 256, PIXEL, lambda q: smooth_rolloff(q, 1.0, 930.0, 0.84)
+            generator(5, draw),
+            256,
+            PIXEL,
+            lambda q: smooth_rolloff(q, plateau=1.0, rolloff=930.0, hurst=0.84),
         )
         factor = rms_height / surface.heights.std()
         surface = replace(surface, heights=factor * surface.heights)
@@ -47,7 +50,9 @@ def scan_over_surface_force(rms_height, pixels):
 
 @pytest.mark.parametrize("rms_height, pixels", [(17.0, 32), (17.0, 64), (2.0, 64), (0.3, 64)])
 def test_forces_on_scans_exceed_those_on_large_surfaces_as_measured(rms_height, pixels):
-    spectrum = Spectrum(WAVEVECTORS, smooth_rolloff(WAVEVECTORS, 1.0, 930.0, 0.84))
+    spectrum = Spectrum(
+        WAVEVECTORS, smooth_rolloff(WAVEVECTORS, plateau=1.0, rolloff=930.0, hurst=0.84)
+    )
     sampled_spectrum = spectrum_between(spectrum, 2 * np.pi / 10e3, np.pi / PIXEL)
     scaled = Spectrum(
         sampled_spectrum.wavevector,

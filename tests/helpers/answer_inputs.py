@@ -82,7 +82,7 @@ MEASUREMENTS = {
 
 
 def spectra(count=1, scans=MEASUREMENTS):
-    """Return joined spectra; the last surface has one measurement less, as far as there are two."""
+    """Return joined spectra; a second surface has one measurement less than the first."""
     bins = np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
     surfaces_spectra = []
     for index in range(count):
@@ -210,7 +210,7 @@ def open_edges():
 
 
 def force(count=1):
-    """Return forces of plastic contacts, FORCE at RANGE, and twice that of rigid."""
+    """Return forces: on the first surface FORCE for plastic contact at RANGE, twice for rigid."""
     surfaces = SURFACES[:count]
     mean = FORCE * (RHOS / RANGE) ** -0.5 * np.array([2.0, 1.0])[:, None]
     mean = mean * np.arange(1, count + 1)[:, None, None]
@@ -257,9 +257,9 @@ def extrapolated_force(count=1):
     )
 
 
-def scale_extrapolated_force(data, **factors):
-    """Return forces that extrapolated roughness changes by a factor, beyond the interval."""
-    scaled = data.copy(deep=True)
+def scaled_extrapolated_force(**factors):
+    """Return forces that extrapolated roughness changes by a factor, by side."""
+    scaled = force()
     for side, factor in factors.items():
         for name in ("extrapolated_force", "extrapolated_force_interval"):
             scaled[name].loc[{"side": side}] *= factor

@@ -26,7 +26,7 @@ def master_ratios(ratios, cutoffs, surfaces=None, shortest=1.0):
 
 
 def filtered_forces(curves, spread=0.0):
-    """Return forces of known ratios (surface, side, cutoff), with scatter over contacts."""
+    """Return forces of ratios (surface, side, cutoff), with scatter of masters and contacts."""
     rng = np.random.default_rng(0)
     curves = np.array(curves)
     shape = (len(curves), 3, 2, 1, 4, 4)  # MASTER_DIMS, cutoff, contact_y, contact_x

@@ -23,7 +23,7 @@ def run_new(folder, *arguments):
 
 
 def run_quick(folder, name, *arguments, overlays=(), run=run_snakemake):
-    """Run a study that `new` wrote at quick effort, with further overlays (paths)."""
+    """Run the study of config/NAME.yaml at quick effort, with further overlays (paths)."""
     files = [f"config/{name}.yaml", *overlays]
     return run(folder, *arguments, "--configfile", *map(str, files), "--config", "effort=quick")
 

@@ -76,7 +76,7 @@ FILTERS = {side: Filters(side, 256, [edge]) for side, edge in TRUE_EDGES.items()
 
 def known_density(wavevector):
     """C_iso in nm4: rms height 2.5 nm."""
-    return smooth_rolloff(wavevector, 1e6, 740.0, 0.9)
+    return smooth_rolloff(wavevector, plateau=1e6, rolloff=740.0, hurst=0.9)
 
 
 @cache
@@ -110,7 +110,7 @@ WIDE = replace(CONTACT, window=5000.0)
 
 def wide_density(wavevector):
     """C_iso in nm4 whose roll-off is three times the size of a scan, so that no scan shows it."""
-    return self_affine(wavevector, 6e8, 3 * SIZE, 0.8)
+    return self_affine(wavevector, plateau=6e8, rolloff=3 * SIZE, hurst=0.8)
 
 
 def interval_of_one_scan(number):

@@ -62,9 +62,12 @@ def force_table(rng, count=40, log_std=0.6, surfaces="ab"):
 
 
 def fitted(computed_forces, table, factor=1.0):
+    """The fit of plastic contact; finer pixels raise the upper end of the work by a factor."""
     sizes = {"a": 2500.0, "b": 2500.0}
     factors = dict.fromkeys(sizes, factor)
-    fit = fit_measured(computed_forces, table, sizes, factors, Sampling(1, 1000, 0.95))
+    fit = fit_measured(
+        computed_forces, table, sizes, factors, Sampling(seed=1, sample_count=1000, confidence=0.95)
+    )
     return fit.sel(contact_model="plastic")
 
 
@@ -74,6 +77,7 @@ def sampled_fit(seed, **options):
 
 
 def holds(fit, rho=RHO, work=WORK):
+    """Whether the region of a fit contains a pair."""
     low, high = fit.region.interp(rho_fine=rho).values
     return low <= work <= high
 

@@ -12,7 +12,7 @@ from hardcontact.inference import published_fit
 from hardcontact.inference.fit import best_fit, mean_relative_error
 from hardcontact.inference.published_fit import PublishedForces
 
-SAMPLING = Sampling(1, 50, 0.95)
+SAMPLING = Sampling(seed=1, sample_count=50, confidence=0.95)
 #: Position of the reference surface among the surfaces.
 REFERENCE_INDEX = 1
 #: Relative error below which a pair fits.
@@ -79,6 +79,7 @@ def test_ratios_met_at_two_ranges_give_two_minima():
 
 
 def make_adhesion(plastic):
+    """The forces of adhesion.nc; those of rigid contact are half the plastic ones."""
     names = ("label", "source")
     return xr.Dataset(
         {"pull_off_force": xr.concat([plastic, plastic / 2], "contact_model")}

@@ -20,7 +20,7 @@ from hardcontact.theory.closed_form import closed_form, filtered_spectrum
 
 pytestmark = pytest.mark.study
 
-CONTACT = contact_of_area(100e3, 5.6, 0.05, 400.0)
+CONTACT = contact_of_area(radius=100e3, rho=5.6, work=0.05, area=400.0)
 #: Surfaces, half of them with a line scan.
 SURFACE_COUNT = 8
 #: Sampled spectra of each surface.

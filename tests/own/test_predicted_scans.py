@@ -20,21 +20,15 @@ from hardcontact.theory.closed_form import closed_form
 pytestmark = pytest.mark.usefixtures("quick_predictions")
 
 
-def test_a_map_is_predicted_from_its_reliable_wavelengths(tmp_path, capsys):
-    heights = random_map(generator(3), 128, PIXEL).heights
-    path = scan_files.write_scan(tmp_path / "scan.nc", heights.T, (128 * PIXEL, 128 * PIXEL))
-    check_prediction(path, heights, capsys)
-
-
-def test_a_line_scan_is_predicted_from_its_reliable_wavelengths(tmp_path, capsys):
-    heights = random_line(generator(3), 1024, PIXEL).heights
-    path = tmp_path / "scan.xyz"
-    scan_files.write_coordinates(UniformLineScan(heights, 1024 * PIXEL, unit="nm"), path)
-    check_prediction(path, heights, capsys)
-
-
-def check_prediction(path, heights, capsys):
-    """Compare the numbers from the file of a scan with those of the library from its heights."""
+@pytest.mark.parametrize("kind", ["map", "line scan"])
+def test_a_scan_is_predicted_from_its_reliable_wavelengths(tmp_path, capsys, kind):
+    """The numbers from its file are those of the library from its heights."""
+    if kind == "map":
+        heights = random_map(generator(3), 128, PIXEL).heights
+        path = scan_files.write_scan(tmp_path / "scan.nc", heights.T, (128 * PIXEL, 128 * PIXEL))
+    else:
+        heights, path = random_line(generator(3), 1024, PIXEL).heights, tmp_path / "scan.xyz"
+        scan_files.write_coordinates(UniformLineScan(heights, 1024 * PIXEL, unit="nm"), path)
     joined_scans = joined_spectrum([measurement(heights, PIXEL)], [None])
     spectrum = read_own_spectrum([path]).spectrum
     has_roughness = np.isfinite(joined_scans.joined_psd.values)

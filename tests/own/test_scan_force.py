@@ -39,7 +39,7 @@ def few_contacts_and_cutoffs():
 def heights_of(kind):
     """Heights (y, x) in nm of 4 nm rms: Gaussian, flat with pits, or flat with peaks."""
     waves = random_map(
-        generator(3), PIXELS, PIXEL_SIZE, self_affine_spectrum(17, 500, 0.8, 20)
+        generator(3), PIXELS, PIXEL_SIZE, self_affine_spectrum(rms=17, rolloff=500)
     ).heights
     waves = waves / waves.std()
     if kind == "gaussian":

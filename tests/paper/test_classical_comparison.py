@@ -34,7 +34,7 @@ def apply_models(fit):
         published.read_constants(TABLES / "constants.csv")["value"].to_dict(),
         published.read_table1(TABLES / "table1.csv"),
         published.read_published_forces(TABLES / "pull_off.csv", dtype=str),
-        Sampling(1, 20, 0.9, ("classical",)),
+        Sampling(seed=1, sample_count=20, confidence=0.9, stream=("classical",)),
     )
 
 

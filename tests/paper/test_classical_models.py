@@ -36,7 +36,7 @@ def test_rabinovich_s_force_has_the_limits_of_plane_and_asperity():
 
 
 def relative(model, index):
-    """Relative pull-off force of Gaussian asperities with this elastic adhesion index."""
+    """Pull-off force at this elastic adhesion index, relative to that of a smooth sphere."""
     height = index ** (2 / 3) * (WORK * np.sqrt(1e-9) / MODULUS) ** (2 / 3) / 1e-9
     roughness = Roughness(height, np.nan, 1.0)
     assert classical_models.adhesion_index(WORK, roughness, MODULUS) == pytest.approx(index)

@@ -13,7 +13,7 @@ from hardcontact.surfaces.metrics import TABLE1_METRICS
 
 SETS = 20_000
 SCATTER = 0.01
-SAMPLING = {
+PARAMETERS = {
     "pool_chunks": [["uncd", 1, 15]], "candidate_chunks": [],
     "master_surfaces": ["uncd"], "master_pool_size": 20, "loading": "H25GPa-F10uN",
     "settings": {"seed": 2021, "master_count": 5, "tolerance": 0.1},
@@ -41,7 +41,7 @@ def study(factor=1.0, scatter=0.0, rms=11.0, **settings):
         },
         {
             "confidence": 0.95,
-            "parameters": json.dumps(SAMPLING | {"settings": SAMPLING["settings"] | settings}),
+            "parameters": json.dumps(PARAMETERS | {"settings": PARAMETERS["settings"] | settings}),
         },
     )  # fmt: skip
     metrics = {name: (("surface", "scan"), [[rms, rms + 1]]) for name in TABLE1_METRICS.values()}

@@ -30,7 +30,7 @@ def scan_of(rng, rolloff, level=1e4):
     """A scan cut out of a random surface ten times as large, and its density."""
 
     def density(q):
-        return self_affine(q, level * (rolloff / 100) ** 3.6, rolloff, 0.8)
+        return self_affine(q, plateau=level * (rolloff / 100) ** 3.6, rolloff=rolloff, hurst=0.8)
 
     surface = random_surface(rng, 10 * PIXELS, SIZE / PIXELS, density)
     return measurement(surface.heights[:PIXELS, :PIXELS].astype(float), surface.pixel_size), density

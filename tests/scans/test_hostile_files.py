@@ -54,7 +54,7 @@ def container(path, content, dataset="a.txt"):
 
 def listing(content):
     """Write a container of one good text with this list of scans."""
-    return lambda path: archive(path, {"meta.yml": content, "a.txt": text(random_heights(32, 32))})
+    return lambda path: archive(path, {"meta.yml": content, "a.txt": text(random_heights())})
 
 
 def hdf5(write_content, is_in_container):
@@ -134,7 +134,7 @@ HOSTILE = {
     "picture": (lambda path: path.write_bytes(b"P5\n2 2\n9\n" + bytes(4)), "a picture, whose grey"),
     "model": (lambda path: path.write_text("#VRML 2.0\n1 2 3 0 0 0\n"), "a model of triangles"),
     "values in volts": (
-        lambda path: path.write_text("# Value units: V\n" + text(random_heights(32, 32))),
+        lambda path: path.write_text("# Value units: V\n" + text(random_heights())),
         "values in V, which is no unit of length: multiply them",
     ),
     "words": (lambda path: path.write_text("sample,good\n" * 5000), "found"),
@@ -181,7 +181,7 @@ def read_all(path):
 def folder(tmp_path, monkeypatch):
     """Make a folder, also for temporary files, with a file that no scan may read."""
     with h5py.File(tmp_path / "outside.h5", "w") as file:
-        file["h"] = random_heights(32, 32)
+        file["h"] = random_heights()
     monkeypatch.setenv("TMPDIR", str(tmp_path))
     monkeypatch.setattr("tempfile.tempdir", None)
     monkeypatch.chdir(tmp_path)
@@ -205,11 +205,9 @@ def test_a_hostile_file_is_refused_in_one_line(folder, monkeypatch, name):
 
 
 def test_a_member_with_the_name_of_another_file_is_read_in_its_archive(folder):
-    container(folder / "a.zip", text(random_heights(32, 32)), "../outside.txt")
+    container(folder / "a.zip", text(random_heights()), "../outside.txt")
     files_before = sorted(folder.parent.rglob("*"))
-    np.testing.assert_allclose(
-        reading.read_scan(folder / "a.zip", "one").heights, random_heights(32, 32)
-    )
+    np.testing.assert_allclose(reading.read_scan(folder / "a.zip", "one").heights, random_heights())
     assert sorted(folder.parent.rglob("*")) == files_before
 
 

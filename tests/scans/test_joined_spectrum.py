@@ -56,7 +56,7 @@ def test_bins_of_few_waves_are_smoothed_and_a_gap_is_bridged_between_them():
 
 def test_a_noise_floor_is_not_extrapolated():
     def surface(q):
-        return smooth_rolloff(q, 1e10, 10_000.0, 0.8)
+        return smooth_rolloff(q, plateau=1e10, rolloff=10_000.0, hurst=0.8)
 
     wavelength = 2 * np.pi / WAVEVECTORS
     shorter = (wavelength < 50) & (wavelength > 1)

@@ -23,7 +23,9 @@ def pattern(kind, seed):
         "step": 25.0 * (position > edge),
         "waves": 0.0 * position,
     }[kind]
-    rough = random_map(rng, pixels, pixel, lambda q: smooth_rolloff(q, 1e10, 1e5, 0.8))
+    rough = random_map(
+        rng, pixels, pixel, lambda q: smooth_rolloff(q, plateau=1e10, rolloff=1e5, hurst=0.8)
+    )
     return measurement(heights + rough.heights, pixel)
 
 

@@ -24,7 +24,7 @@ def band_of(scan, tip_radius):
 
 def steep(q):
     """C_iso ~ q^-4.5: facets, or polished UNCD after Table 1."""
-    return smooth_rolloff(q, 1e6, 740.0, 1.25)
+    return smooth_rolloff(q, plateau=1e6, rolloff=740.0, hurst=1.25)
 
 
 @pytest.mark.parametrize("make", [random_map, random_line])
@@ -81,7 +81,9 @@ def test_a_floor_of_white_noise_is_cut_above_where_it_passes_the_surface(make, p
 
 
 def test_a_plateau_before_the_rolloff_is_no_floor():
-    early = random_map(generator(6), 256, PIXEL, lambda q: smooth_rolloff(q, 1e6, 150.0, 0.9))
+    early = random_map(
+        generator(6), 256, PIXEL, lambda q: smooth_rolloff(q, plateau=1e6, rolloff=150.0, hurst=0.9)
+    )
     assert band_of(early, None).shortest == 4 * PIXEL
 
 

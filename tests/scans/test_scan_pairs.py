@@ -23,6 +23,7 @@ PIXELS, PIXEL = 128, 10.0
 
 
 def large_map(seed, hurst=0.8, rolloff=1e9):
+    """Heights of three times PIXELS per row, by default without a roll-off."""
     return self_affine_heights(generator(seed), 3 * PIXELS, PIXEL, 20.0, hurst, rolloff)
 
 
@@ -64,7 +65,7 @@ def test_flat_maps_are_no_copies():
     assert not have_same_area(coarse(flat), coarse(step))
 
 
-def test_gratings_and_lays_resemble_themselves_everywhere():
+def test_areas_of_one_grating_or_lay_are_not_the_same():
     grating = 20 * np.sin(np.arange(3 * PIXELS) * 2 * np.pi / 12)
     lay = large_map(5)[0]
     for lines in (grating, lay, lay[:, None]):

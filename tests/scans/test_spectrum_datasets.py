@@ -24,9 +24,9 @@ SEGMENTS = pd.DataFrame(
 
 def described_spectrum():
     """Return the spectrum of SEGMENTS in the form of a joined spectrum."""
-    substitute = spectrum_dataset(self_affine(WAVEVECTORS, 1e9, 2000.0, 0.8)).assign_attrs(
-        source="substitute", table1_rows_met="", segments=SEGMENTS.to_csv(index=False)
-    )
+    substitute = spectrum_dataset(
+        self_affine(WAVEVECTORS, plateau=1e9, rolloff=2000.0, hurst=0.8)
+    ).assign_attrs(source="substitute", table1_rows_met="", segments=SEGMENTS.to_csv(index=False))
     return convert_described_spectrum(substitute, "x.csv")
 
 
@@ -37,7 +37,7 @@ def test_only_published_or_measured_segments_are_known():
     np.testing.assert_allclose(spectrum.shortest_reliable, [1e3, 10.0])
     wavelength = 2 * np.pi / spectrum.bin_wavevector.values
     is_known = (wavelength > 1e3) | ((wavelength > 10) & (wavelength <= 100))
-    density = self_affine(spectrum.bin_wavevector.values, 1e9, 2000.0, 0.8)
+    density = self_affine(spectrum.bin_wavevector.values, plateau=1e9, rolloff=2000.0, hurst=0.8)
     density[~is_known] = np.nan
     np.testing.assert_allclose(spectrum.joined_psd, density, rtol=0.03)
     assert np.isnan(spectrum.attrs["tail_hurst"])

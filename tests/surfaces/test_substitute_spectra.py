@@ -78,8 +78,8 @@ def test_segments_with_all_parameters_follow_their_models(write_description, tmp
     q = 2 * np.pi / np.array([1500.0, 700.0, 200.0, 24.0])
     models = [
         spectral_models.varying_hurst(q[0], 5e9, 2000.0, 0.8, -0.1),
-        spectral_models.self_affine(q[1], 5e9, 2000.0, 0.8),
-        spectral_models.smooth_rolloff(q[2], 6.1e7, 930.0, 0.84),
+        spectral_models.self_affine(q[1], plateau=5e9, rolloff=2000.0, hurst=0.8),
+        spectral_models.smooth_rolloff(q[2], plateau=6.1e7, rolloff=930.0, hurst=0.84),
     ]
     np.testing.assert_allclose(table(q)[:3], models, rtol=1e-3)
     points = np.array([66.0, 24.0, 7.0]), np.array([234.0, 6.7, 0.095])

@@ -26,7 +26,7 @@ RADIUS = 250e3
 
 
 def contact(rho=5.6, area=400.0, radius=RADIUS):
-    return contact_of_area(radius, rho, 1.0, area)
+    return contact_of_area(radius, rho, work=1.0, area=area)
 
 
 @pytest.mark.parametrize(("sigma", "m", "rho"), [(4, 10, 5.6), (4, 10, 1), (17, 55, 3)])
@@ -55,7 +55,7 @@ def test_without_roughness_the_closed_form_is_the_force_of_a_smooth_sphere():
     assert form.force == pytest.approx(2 * np.pi * RADIUS * 1e-9 * relative)
     assert form.dmt_ratio == pytest.approx(relative, rel=1e-12)
     assert (form.regime, form.weibull_modulus) == (Regime.SMOOTH, np.inf)
-    nearly_smooth = closed_form(self_affine_spectrum(0.02), contact())
+    nearly_smooth = closed_form(self_affine_spectrum(rms=0.02), contact())
     assert nearly_smooth.regime == Regime.SMOOTH and nearly_smooth.dmt_ratio == pytest.approx(
         1, abs=0.03
     )
@@ -64,12 +64,12 @@ def test_without_roughness_the_closed_form_is_the_force_of_a_smooth_sphere():
 
 def test_the_force_of_a_wide_contact_reaches_its_smooth_limit():
     wide = contact(area=0.57 * 2 * np.pi * RADIUS * contact().rho)
-    nearly_smooth = closed_form(self_affine_spectrum(0.02), wide)
-    smooth = closed_form(self_affine_spectrum(0.0), wide)
+    nearly_smooth = closed_form(self_affine_spectrum(rms=0.02), wide)
+    smooth = closed_form(self_affine_spectrum(rms=0.0), wide)
     assert (
         smooth.dmt_ratio == pytest.approx(1.57) == pytest.approx(nearly_smooth.dmt_ratio, abs=0.03)
     )
-    assert np.isnan(critical_band(self_affine_spectrum(0.02), wide, 0.1)).all()
+    assert np.isnan(critical_band(self_affine_spectrum(rms=0.02), wide, 0.1)).all()
 
 
 def test_a_single_smooth_summit_attracts_like_a_sphere_of_its_radius():
@@ -86,7 +86,7 @@ def test_a_single_smooth_summit_attracts_like_a_sphere_of_its_radius():
 def test_n_summits_attract_like_the_mean_power_of_a_gamma_variable(summits):
     sigma = 4.0
     large_radius = 1e12  # The highest summits then obey the laws of high levels.
-    spectrum = gaussian_spectrum(sigma, 100)
+    spectrum = gaussian_spectrum(sigma)
     rough_spectrum = spectrum_between(spectrum, 0, np.inf)
     _, counts, bearing_areas = summits_above(rough_spectrum, large_radius)
     highest_level = apex_distribution(rough_spectrum, large_radius, 0.0).mean()
@@ -108,7 +108,7 @@ def test_n_summits_attract_like_the_mean_power_of_a_gamma_variable(summits):
 
 @pytest.mark.parametrize(("rho", "low", "high"), [(2.0, 0.7, 0.9), (40.0, 0.99, 1.0)])
 def test_rough_close_points_lessen_the_force_where_few_summits_decide(rho, low, high):
-    spectrum = self_affine_spectrum(30, 1000, 0.8, 5.0)
+    spectrum = self_affine_spectrum(rms=30, shortest=5.0)
     smooth_points = closed_form(spectrum, contact(rho), rough_close_points=False)
     assert low < closed_form(spectrum, contact(rho)).force / smooth_points.force < high
 
@@ -116,7 +116,7 @@ def test_rough_close_points_lessen_the_force_where_few_summits_decide(rho, low, 
 @pytest.mark.parametrize(("rms", "rho", "error"), [(4, 5.6, 0.2), (4, 20, 0.05), (40, 5.6, 0.4)])
 def test_the_closed_form_predicts_forces_on_random_surfaces(rms, rho, error):
     pixels, size, radius = 512, 10e3, 50e3
-    spectrum = self_affine_spectrum(rms, 800.0, 0.8, 80.0)
+    spectrum = self_affine_spectrum(rms, rolloff=800.0, shortest=80.0)
     touching = Contact(radius=radius, preload=1e-5, hardness=25e9, window=size, contacts_per_row=8)
     forces = []
     for k in range(3):
@@ -128,8 +128,8 @@ def test_the_closed_form_predicts_forces_on_random_surfaces(rms, rho, error):
     assert form.force == pytest.approx(np.mean(forces), rel=error)
 
 
-def test_the_force_has_left_the_tolerance_at_the_edges():
-    spectrum = self_affine_spectrum(17, 1000, 0.8, 10.0)
+def test_the_force_reaches_the_tolerance_at_the_edges():
+    spectrum = self_affine_spectrum(rms=17, shortest=10.0)
     short, long = critical_band(spectrum, contact(), 0.1)
     assert 10 < short < 300 < long < 5000
     unfiltered = closed_form(spectrum, contact(), rough_close_points=False).dmt_ratio

@@ -19,7 +19,7 @@ TABLE = pd.read_csv(validity.DESIGNED_SURFACES)
 
 
 def test_the_spectrum_of_a_grid_has_the_rms_height_of_its_surfaces():
-    spectrum = self_affine_spectrum(4, 500, 0.8, 10)
+    spectrum = self_affine_spectrum(rolloff=500, shortest=10)
     heights = [random_surface(generator(2, k), 256, 10.0, spectrum).heights for k in range(8)]
     grid_spectrum = validate_prediction.spectrum_of_grid(spectrum, 2560.0, 256)
     rms_height = np.sqrt(np.mean(np.square(heights)))
@@ -34,7 +34,7 @@ def test_the_table_repeats_the_design_and_the_closed_form():
     for row in TABLE.to_dict("records")[::3]:
         spectrum = validate_prediction.spectrum_of(row)
         grid_spectrum = validate_prediction.spectrum_of_grid(spectrum, row["size"], row["pixels"])
-        contact = contact_of_area(row["radius"], row["rho"], 1.0, row["area"])
+        contact = contact_of_area(row["radius"], row["rho"], work=1.0, area=row["area"])
         form = closed_form(grid_spectrum, contact)
         assert form.force == pytest.approx(row["predicted_force"], rel=1e-3)
         assert form.regime == row["regime"]

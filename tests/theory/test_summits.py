@@ -23,9 +23,12 @@ def full_band(spectrum):
     return spectrum_between(spectrum, 0, np.inf)
 
 
+GAUSSIAN = full_band(gaussian_spectrum(rms=4, length=100))
+
+
 def test_a_gaussian_autocorrelation_has_known_moments():
     # Sums over forty wavevectors per decade miss integrals by a few thousandths.
-    spectrum = full_band(gaussian_spectrum(4, 100))
+    spectrum = GAUSSIAN
     assert spectral_moment(spectrum, 0) == pytest.approx(16, rel=0.005)
     assert spectral_moment(spectrum, 2) == pytest.approx(2 * (4 / 100) ** 2, rel=0.005)
     assert spectral_moment(spectrum, 4) == pytest.approx(8 * 16 / 100**4, rel=0.005)
@@ -34,13 +37,11 @@ def test_a_gaussian_autocorrelation_has_known_moments():
 def test_a_gaussian_autocorrelation_has_summits_of_known_width():
     levels = np.array([1.5, 2.5, 4.0])
     radii = 100 * np.sqrt(-2 * np.log(1 - 1 / levels**2))  # exp(-d²/2l²) = 1 - 1/t²
-    assert summits.summit_half_width(full_band(gaussian_spectrum(4, 100)), levels) == pytest.approx(
-        radii, rel=0.002
-    )
+    assert summits.summit_half_width(GAUSSIAN, levels) == pytest.approx(radii, rel=0.002)
 
 
 def test_summits_at_high_levels_are_as_dense_as_maxima_of_a_smooth_surface():
-    spectrum, level = full_band(gaussian_spectrum(4, 100)), 5.0
+    spectrum, level = GAUSSIAN, 5.0
     density = stats.norm.sf(level) / (np.pi * summits.summit_half_width(spectrum, [level])[0] ** 2)
     mean_square_slope = spectral_moment(spectrum, 2) / 2 / spectral_moment(spectrum, 0)
     euler = level * np.exp(-(level**2) / 2) * mean_square_slope
@@ -62,7 +63,7 @@ def test_short_waves_of_no_height_make_no_summits():
 
 
 def test_the_highest_point_follows_gumbel_s_law():
-    spectrum = full_band(gaussian_spectrum(4, 100))
+    spectrum = GAUSSIAN
     apex = summits.apex_distribution(spectrum, LARGE_RADIUS, 0.0)
     # Lambda(t) = R m2/(sigma sqrt(2 pi)) exp(-t²/2) is one at the location.
     mean_square_slope = spectral_moment(spectrum, 2) / 2
@@ -85,7 +86,7 @@ def test_exponential_areas_of_poisson_summits_have_a_known_distribution(area):
 
 
 def test_a_large_contact_area_is_the_bearing_area():
-    spectrum, area = full_band(gaussian_spectrum(4, 100)), 3e6
+    spectrum, area = GAUSSIAN, 3e6
     level = summits.apex_distribution(spectrum, LARGE_RADIUS, area).mean()
     bearing = 2 * np.pi * LARGE_RADIUS * 4 * integrate.quad(stats.norm.sf, level, 10)[0]
     assert bearing == pytest.approx(area, rel=1e-3)
@@ -93,7 +94,12 @@ def test_a_large_contact_area_is_the_bearing_area():
 
 
 def test_the_highest_point_matches_random_surfaces():
-    spectrum, pixels, size, radius = self_affine_spectrum(4, 300, 0.8, 40), 256, 2560.0, 20e3
+    spectrum, pixels, size, radius = (
+        self_affine_spectrum(rolloff=300, shortest=40),
+        256,
+        2560.0,
+        20e3,
+    )
     spectrum_on_map = spectrum_between(spectrum, 2 * np.pi / size / 2, np.inf)
     offset = (np.arange(pixels) - pixels / 2) * 10.0
     sphere = (offset[:, None] ** 2 + offset**2) / (2 * radius)
@@ -107,7 +113,7 @@ def test_the_highest_point_matches_random_surfaces():
 
 
 def test_a_sphere_follows_waves_flatter_than_itself():
-    spectrum = self_affine_spectrum(4, 1e6)  # roughness without end
+    spectrum = self_affine_spectrum(rolloff=1e6)  # roughness without end
     rough_spectrum = summits.find_rough_spectrum(spectrum, RADIUS)
     assert rough_spectrum.wavevector[0] > 10 * spectrum.wavevector[0]
     followed_spectrum = spectrum_between(spectrum, 0, rough_spectrum.wavevector[0])
@@ -122,7 +128,7 @@ def test_a_sphere_follows_waves_flatter_than_itself():
 def test_the_search_size_is_twice_the_rms_distance_of_the_highest_points(rms_height, radius):
     pixels, pixel = 256, 40.0
     q = np.geomspace(2 * np.pi / (pixels * pixel), np.pi / pixel, 300)
-    spectrum = Spectrum(q, smooth_rolloff(q, 1.0, 930.0, 0.84))
+    spectrum = Spectrum(q, smooth_rolloff(q, plateau=1.0, rolloff=930.0, hurst=0.84))
     spectrum = Spectrum(q, spectrum.density * rms_height**2 / spectral_moment(spectrum, 0))
     position = pixel * (np.arange(pixels) - pixels // 2)
     squares = position[:, None] ** 2 + position**2

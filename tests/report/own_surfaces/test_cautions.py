@@ -5,7 +5,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from answer_inputs import SURFACES, datasets, edges, fit, force, scale_extrapolated_force, setting
+from answer_inputs import SURFACES, datasets, edges, fit, force, scaled_extrapolated_force, setting
 from answer_inputs import spectra as plain_spectra
 from measurements import random_map
 
@@ -149,7 +149,7 @@ def test_roughness_beyond_the_scans_is_named():
 
 def test_a_tail_of_unknown_exponent_gives_no_force():
     data = plain_spectra().assign(tail_known=("surface", [0]))
-    changed = datasets(spectra=data, force=scale_extrapolated_force(force(), short=0.5))
+    changed = datasets(spectra=data, force=scaled_extrapolated_force(short=0.5))
     (surface,) = surface_answers(changed, setting())
     (tail,) = [caution for caution in surface.cautions if caution.code == "tail"]
     assert tail.numbers["exponent_known"].value == 0

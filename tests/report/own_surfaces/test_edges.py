@@ -13,7 +13,7 @@ from answer_inputs import (
     move_edge,
     numbers_of,
     open_edges,
-    scale_extrapolated_force,
+    scaled_extrapolated_force,
     setting,
     spectra,
     unresolved_edges,
@@ -161,14 +161,14 @@ def test_the_answer_follows_from_the_edges_and_the_scans(data, wavelengths, answ
 
 
 def test_scans_that_lack_roughness_answer_in_part_at_most():
-    changed_force = scale_extrapolated_force(force(), short=0.25)
+    changed_force = scaled_extrapolated_force(short=0.25)
     assert conclude(edges(), (6, 25e3), changed_force).answer == "partly"
     assert conclude(edges(), (400, 1000), changed_force).answer == "no"
 
 
 def test_a_force_with_an_unknown_extrapolation_is_not_in_the_answer():
     unknown = spectra().assign(tail_known=("surface", [0]))
-    extrapolated_force = scale_extrapolated_force(force(), short=0.25)
+    extrapolated_force = scaled_extrapolated_force(short=0.25)
     partial = surface_conclusion(numbers_of(force=extrapolated_force, spectra=unknown))
     assert (partial.answer, partial.extrapolated) == ("partly", [])
     alike = surface_conclusion(numbers_of())
