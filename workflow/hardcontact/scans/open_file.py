@@ -45,7 +45,7 @@ READER_MESSAGE = re.compile(r"tried (\w+): \n (.*?)\n\n(?=tried |\Z)", re.S)
 #: The unit of values that a header of a text states.
 VALUE_UNIT = re.compile(r"(?:value units|z-unit|unit data)\s*[:=]\s*(\S+)", re.I)
 #: What to do with a file whose heights no reader takes.
-SAVE_AS_TEXT = "save the heights as text or netCDF, for example with Gwyddion"
+SAVE_AS_TEXT = "save the heights as netCDF or as a text of numbers, for example with Gwyddion"
 PICTURE = f"a picture, whose grey values are not heights: {SAVE_AS_TEXT}"
 #: First bytes of files without heights on a grid, by words for their type and the remedy. No reader
 #: is tried on them.
