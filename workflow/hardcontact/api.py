@@ -2,8 +2,8 @@
 
 They compute as the study and its commands do. Lengths and heights are in nm, wavevectors in rad/nm,
 forces in N, works of adhesion in J/m², pressures in Pa. Each function raises ValueError if its
-input is invalid, with one line for each fault. It warns if a quantity of a contact is unusual,
-because its unit may be wrong.
+input is invalid, with one line for each fault. Functions of a contact warn if one of its quantities
+is unusual, because the unit may be wrong.
 """
 
 from collections.abc import Mapping, Sequence
@@ -325,7 +325,8 @@ def force_ratios(
     scan : HeightMap
         As for `pull_off_forces`.
     cutoffs : mapping of str to sequence of float
-        Cutoff wavelengths in nm, longer than two pixels. The side ``"short"`` removes the shorter
+        Cutoff wavelengths in nm, longer than two pixels and at most as long as the period of the
+        map, which is twice the width of a mirrored scan. The side ``"short"`` removes the shorter
         wavelengths, the side ``"long"`` the longer ones. One side is enough.
     radius, preload, hardness : float
         As for `pull_off_forces`.
@@ -432,7 +433,7 @@ def predict(
         - ``closed_form_on_scan``, the force in closed form for all waves of the map. Unless its
           status is ``"agrees"``, no number of the closed form has an interval.
         - ``wide_pixel_ratio``, the force on pixels four times wider relative to the map.
-        - ``touched_patches``, the number of patches of the map that the contacts touch.
+        - ``touched_patches``, as for `pull_off_forces`.
         - ``search_size``, the width of the square in which the sphere finds the summits that it
           touches.
 

@@ -190,6 +190,7 @@ class _Windows:
 
 def _find_contact_pixels(windows: _Windows, contact_pixel_count: int) -> list[ContactPixels]:
     """Return the contact pixels of each contact; equal gaps come in the order of their offsets."""
+    # The groups of lowest bounds that together have enough pixels give first limits.
     group_bounds = windows.group_bounds()
     cell_count = -(-contact_pixel_count // CELL_PIXELS**2)
     best_groups = _lowest_columns(group_bounds, -(-cell_count // GROUP_CELLS**2))

@@ -31,7 +31,7 @@ ELASTIC_UNITS = {
 
 
 def _pressure_metrics(pressure: Floats, pixel_size: float, hardness: float) -> tuple[float, ...]:
-    """Return area (nm²), share above the hardness, peak and mean of a pressure (n, n) in Pa."""
+    """Return touching area (nm²), its share above the hardness, peak and mean pressure in Pa."""
     touching = pressure[pressure > 0]
     share = float(np.mean(touching > hardness))
     return touching.size * pixel_size**2, share, touching.max(), touching.mean()
@@ -71,6 +71,7 @@ def solve_elastic_contacts(
             window_gap = square_around_lowest(gap, pull_off_pixels)
             pressure = pressure_at_load(period_gap, pixel_size, modulus, contact.preload)
             forces = adhesive_pull_off(window_gap, pixel_size, modulus, contact.work, contact.rho)
+            # In the order of ELASTIC_UNITS.
             metrics.append((*_pressure_metrics(pressure, pixel_size, contact.hardness), *forces))
             pressures.append(pressure)
     variables = variables_of_columns(np.array(metrics), "contact", ELASTIC_UNITS)

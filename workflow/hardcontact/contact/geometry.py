@@ -98,7 +98,7 @@ def sample_contacts(
 def join_bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact) -> Bodies:
     """Bring a substrate and a sphere together, on the smaller of their two pixel sizes.
 
-    The sphere is its mirrored roughness, or None for a smooth sphere.
+    `sphere` is the mirrored scan of its roughness, or None for a smooth sphere.
     """
     contact.require("window")
     substrate = _convert_precision(substrate)

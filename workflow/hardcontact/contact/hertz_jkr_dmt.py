@@ -45,7 +45,9 @@ def hertz_contact(load: float, radius: float, modulus: float) -> HertzContact:
     """
     a = np.cbrt(0.75 * load * radius * NANOMETRE / modulus)
     return HertzContact(
-        a / NANOMETRE, 1.5 * load / (np.pi * a**2), a**2 / (radius * NANOMETRE) / NANOMETRE
+        contact_radius=a / NANOMETRE,
+        peak_pressure=1.5 * load / (np.pi * a**2),
+        approach=a**2 / (radius * NANOMETRE) / NANOMETRE,
     )
 
 

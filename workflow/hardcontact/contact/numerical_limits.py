@@ -38,7 +38,7 @@ FINITE_SCAN_RATIOS = (
     (1.0, (1.1, 2.0)), (2.0, (1.0, 1.5)),
 )  # fmt: skip
 #: Size relative to the search size from which a scan is large enough, and the smallest tested one.
-LARGE_SIZE_RATIO = FINITE_SCAN_RATIOS[-1][0]
+LARGE_SIZE_RATIO, _ = FINITE_SCAN_RATIOS[-1]
 SMALLEST_SIZE_RATIO = 0.12
 #: Smallest share of the force on a smooth sphere in a window without a caution.
 MIN_WINDOW_SHARE = 0.99

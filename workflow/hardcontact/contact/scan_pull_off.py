@@ -19,6 +19,7 @@ def pull_off_on_spheres(
 ) -> xr.Dataset:
     """Return `pull_off_dataset` for each scan of the sphere on one substrate: (sphere_scan, ...).
 
+    The keys of `all_bodies` are the numbers of the sphere's scans.
     Contacts have numbers in place of positions, which differ between pixel sizes.
     """
     forces = {}

@@ -107,7 +107,7 @@ def closed_form(
     """
     dmt_force = float(dmt_pull_off(contact.work, contact.radius))
     rough_spectrum = find_rough_spectrum(spectrum, contact.radius)
-    if rough_spectrum is None:  # The limit of an rms height of zero.
+    if rough_spectrum is None:  # Rms height and apex height are zero, the modulus is infinite.
         force = smooth_force(contact)
         return ClosedForm(force, force / dmt_force, 0.0, 0.0, np.inf, Regime.SMOOTH)
     sigma = float(np.sqrt(spectral_moment(rough_spectrum, 0)))
@@ -183,7 +183,7 @@ def _roughness_on_summit(
 
 
 def filtered_spectrum(spectrum: Spectrum, side: str, cutoff: float) -> Spectrum:
-    """Return a spectrum without the waves below (``"short"``) or above (``"long"``) a cutoff."""
+    """Return a spectrum without waves below (``"short"``) or above (``"long"``) a cutoff in nm."""
     limit = 2 * np.pi / cutoff
     lowest, highest = (0.0, limit) if side == "short" else (limit, np.inf)
     filtered = spectrum_between(spectrum, lowest, highest)
