@@ -86,8 +86,8 @@ def posterior_dataset(
 ) -> xr.Dataset:
     """Return posterior.nc: posteriors (forces_on, left_out) of all surfaces, and without each.
 
-    `sets` is sets.nc in plastic contact. Forces on whole surfaces (surface, map, rho), if any, are
-    those of a smooth sphere in N.
+    `sets` is sets.nc in plastic contact. Mean forces on whole surfaces (surface, map, rho), if any,
+    are those of a smooth sphere in N at 1 J/m²; ``map`` numbers the whole surfaces of a coating.
     """
     forces = {"scans": sets["mean_force"].rename(set="replicate")}
     if whole_surface_forces is not None:
@@ -100,7 +100,7 @@ def posterior_dataset(
         for left_out in (NONE_LEFT_OUT, *mean_forces["surface"].values.tolist()):
             other_forces = mean_forces.drop_sel(surface=left_out, errors="ignore")
             posteriors[name, left_out] = posterior_of_forces(other_forces, published, sampling)
-    # Claims about all surfaces take their names from the coordinate.
+    # Claims about all surfaces take the names of surfaces from the coordinate.
     result = stack(posteriors, ["forces_on", "left_out"]).assign_coords(surface=sets["surface"])
     return result.assign_attrs(confidence=sampling.confidence)
 

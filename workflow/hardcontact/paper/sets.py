@@ -63,14 +63,20 @@ class SetSettings(NamedTuple):
 
 
 def sphere_factor(adhesion: xr.Dataset, sampled_substrates: Sequence[str]) -> xr.DataArray:
-    """Return the forces on the rough sphere relative to a smooth one; NaN on other substrates."""
+    """Return the mean forces on the rough sphere relative to a smooth sphere.
+
+    They are (contact_model, surface, rho); NaN on substrates whose scans are not sampled.
+    """
     rough = adhesion["pull_off_force"].mean(["scan", "sphere_scan", *CONTACT_AXES])
     smooth = adhesion["smooth_sphere_force"].mean("scan")
     return (rough / smooth).where(rough["surface"].isin(sampled_substrates))
 
 
 def sample_set_scans(inputs: SetInputs, seed: int, set_number: int) -> dict[str, xr.Dataset]:
-    """Return as many scans as the study has, for each substrate with a pool or candidates."""
+    """Return forces on and metrics of a set's scans, by substrate with a pool or candidates.
+
+    A set has as many scans of a pool as the study has of the substrate.
+    """
     counts = inputs.topography["rms_height"].count("scan").to_series()
     pool_scans = {
         name: scans_of_set(pool, generator(seed, name, set_number, "set", "scans"), counts[name])
