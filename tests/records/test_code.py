@@ -46,13 +46,13 @@ def test_imports_that_python_runs_are_inputs_and_those_for_type_checkers_are_not
 def test_comments_and_hashes_change_no_input(write):
     write(PLAIN, PLAIN)
     code.write_pins()
-    times = [Path(path).stat().st_mtime_ns for path in code.PINS]
+    times = [Path(path).stat().st_mtime_ns for path in code.PIN_FILES]
     write(COMMENTED, COMMENTED)
     code.write_pins()
-    assert [Path(path).stat().st_mtime_ns for path in code.PINS] == times
+    assert [Path(path).stat().st_mtime_ns for path in code.PIN_FILES] == times
     write(PLAIN, PLAIN.replace("25.1", "25.2"))
     code.write_pins()
-    assert [Path(path).read_text()[-5:] for path in code.PINS] == ["25.1\n", "25.2\n"]
+    assert [Path(path).read_text()[-5:] for path in code.PIN_FILES] == ["25.1\n", "25.2\n"]
 
 
 INSTALLED = {"numpy": "2.0", "attrs": "25.1"}

@@ -19,7 +19,7 @@ from hardcontact.contact.geometry import join_bodies
 from hardcontact.files.paths import MEASUREMENT
 from hardcontact.records import origin
 from hardcontact.records.origin import Origin, canonical_json, file_digests, keep_records
-from hardcontact.run.checks import stored_scan, surface_extent
+from hardcontact.run.checks import load_or_read_scan, surface_extent
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.surfaces.substitute_spectra import spectrum_from_description
@@ -183,7 +183,7 @@ def test_a_file_is_read_only_if_the_study_has_not_stored_it_as_it_is(tmp_path, m
         row = row._replace(path=paths["b"])
     elif change == "versions":
         monkeypatch.setattr(origin, "versions", lambda: {"SurfaceTopography": "0.1"})
-    is_stored = not stored_scan(config, row).heights.any()
+    is_stored = not load_or_read_scan(config, row).heights.any()
     assert is_stored == (change == "none")
 
 
@@ -193,7 +193,7 @@ def test_a_missing_file_is_refused_though_it_was_stored(tmp_path, monkeypatch):
     row = Row("glass", 1, str(path), "")
     store(row, reading_arguments(paper_configuration()) | {"dataset": ""}, np.zeros((16, 16)))
     path.unlink()
-    message = refusal(stored_scan, paper_configuration(), row)
+    message = refusal(load_or_read_scan, paper_configuration(), row)
     assert_says(message, "a.nc: expected a scan, found no such file")
 
 

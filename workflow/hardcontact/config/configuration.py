@@ -83,7 +83,7 @@ def is_paper_study(study: Mapping[str, Any]) -> bool:
     return bool(study["published"] == PAPER)
 
 
-def has_rough_sphere(study: Mapping[str, Any]) -> bool:
+def has_own_rough_sphere(study: Mapping[str, Any]) -> bool:
     """Return whether the sphere that touches the user's surfaces is rough."""
     return bool(not is_paper_study(study) and study["sphere"]["surface"] != SMOOTH_SPHERE)
 

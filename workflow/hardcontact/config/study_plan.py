@@ -5,7 +5,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple
 
-from hardcontact.config.configuration import has_rough_sphere, is_paper_study, study_contact
+from hardcontact.config.configuration import has_own_rough_sphere, is_paper_study, study_contact
 from hardcontact.config.selected_surfaces import Selection
 
 #: Minimum number of positions on a rough sphere that touch each surface of the user. With 16 an
@@ -93,7 +93,7 @@ class StudyPlan:
     def combined_surfaces(self) -> list[str]:
         """The measured substrates to which the roughness of a measured sphere is added."""
         measured = self.selection.measured_surfaces
-        if not has_rough_sphere(self.study) or self.selection.sphere not in measured:
+        if not has_own_rough_sphere(self.study) or self.selection.sphere not in measured:
             return []
         return [name for name in self.selection.substrates if name in measured]
 
@@ -119,7 +119,7 @@ class StudyPlan:
     @property
     def positions_per_row(self) -> int:
         """Positions per row of the square array of positions on each scan of the sphere."""
-        minimum = SPHERE_POSITIONS if has_rough_sphere(self.study) else 1
+        minimum = SPHERE_POSITIONS if has_own_rough_sphere(self.study) else 1
         return math.ceil(math.sqrt(minimum / len(self.selection.sphere_scans)))
 
     @property

@@ -17,7 +17,7 @@ ENVIRONMENT = "environment.txt"
 LOCK = "workflow/lock.txt"
 #: Copies of both without comments and hashes, on which jobs depend: a comment makes no file stale.
 ENVIRONMENT_PINS, LOCK_PINS = "results/environment.txt", "results/lock.txt"
-PINS = (ENVIRONMENT_PINS, LOCK_PINS)
+PIN_FILES = (ENVIRONMENT_PINS, LOCK_PINS)
 #: The command that installs the pinned versions.
 INSTALL = f"pip install --require-hashes -r {LOCK}"
 #: A line such as ``numpy==2.3.1``: name and version.
@@ -36,8 +36,8 @@ def read_pins(path: str | Path) -> dict[str, str]:
 
 
 def write_pins() -> None:
-    """Write PINS, unless the files are right already."""
-    for source, path in zip((ENVIRONMENT, LOCK), PINS, strict=True):
+    """Write PIN_FILES, unless the files are right already."""
+    for source, path in zip((ENVIRONMENT, LOCK), PIN_FILES, strict=True):
         text = "".join(f"{name}=={pin}\n" for name, pin in read_pins(source).items())
         if not Path(path).is_file() or Path(path).read_text("utf-8") != text:
             remove_incomplete_files(path)
@@ -92,7 +92,7 @@ def code_inputs(script: str, *modules: str) -> Sequence[str]:
         new_paths = _imported_files(pending.pop()) - paths
         paths |= new_paths
         pending.extend(new_paths)
-    return (*sorted(os.path.relpath(path) for path in paths), *PINS)
+    return (*sorted(os.path.relpath(path) for path in paths), *PIN_FILES)
 
 
 @cache

@@ -4,7 +4,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 
-from hardcontact.records.code import PINS, installed_version
+from hardcontact.records.code import PIN_FILES, installed_version
 from hardcontact.records.origin import RECORDS, Record, file_digest, read_record, record_path
 
 #: Folders of a study whose files describe runs: no record describes them.
@@ -92,7 +92,7 @@ def _unrecorded_faults(folder: str | Path, traced: Iterable[str]) -> Iterator[st
 
 def _is_made(path: str) -> bool:
     """Return whether a job made a file, also if all records in its folder are lost."""
-    is_result = path.startswith("results/") and path not in PINS
+    is_result = path.startswith("results/") and path not in PIN_FILES
     return is_result or record_path(path).parent.is_dir()
 
 

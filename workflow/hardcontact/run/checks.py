@@ -153,7 +153,7 @@ def _own_surface_faults(study: dict[str, Any], table: pd.DataFrame) -> list[str]
         faults += _name_faults(study, "sphere.surface", surfaces)
     for row in table[~makes_contact].itertuples():
         with collect_faults(faults):
-            stored_scan(study, row)
+            load_or_read_scan(study, row)
     if study["forces"] != NONE:
         substrates = list(table.surface[table.surface != sphere].unique())
         with collect_faults(faults):
@@ -161,7 +161,7 @@ def _own_surface_faults(study: dict[str, Any], table: pd.DataFrame) -> list[str]
     return faults
 
 
-def stored_scan(study: dict[str, Any], row: Any) -> HeightMap:
+def load_or_read_scan(study: dict[str, Any], row: Any) -> HeightMap:
     """Return a measured scan of a row of the table, as `read_scan` reads it.
 
     The rule read_scan stores scans. A file is read here only if its scan was not stored, or the
@@ -203,7 +203,7 @@ def _measured_extent(study: dict[str, Any], surface: str, rows: pd.DataFrame) ->
     """Return the extent of the measured scans of a surface."""
     extents: list[Extent] = []
     for row in rows.itertuples():
-        scan = stored_scan(study, row)
+        scan = load_or_read_scan(study, row)
         refuse_line_scan(scan)
         relief = float(np.ptp(scan.heights))
         if relief == 0:

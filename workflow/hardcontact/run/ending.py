@@ -66,7 +66,7 @@ def _kill_run(workflow: Any) -> NoReturn:
     if workflow.persistence:
         workflow.persistence.unlock()
     os.write(2, f"{RESUME}\n".encode())
-    os._exit(130)
+    os._exit(130)  # the exit code of a program that Ctrl-C ended
 
 
 def kill_run_at_next_interrupt(workflow: Any) -> None:
