@@ -42,7 +42,7 @@ SET_DATASETS = ("sets", "topography", "filtered_forces", "features")
 SAMPLING_PARAMETERS = ("pool_chunks", "candidate_chunks", "master_surfaces", "master_pool_size")
 SAMPLING_SETTINGS = ("seed", "master_count")
 #: Relative difference of equal surfaces: far more than other processors cause, 7e-16.
-TOLERANCE = 1e-6
+SURFACE_TOLERANCE = 1e-6
 
 
 class Agreement(StrEnum):
@@ -206,7 +206,8 @@ def bounds(number: Number) -> tuple[float, float]:
 def pairing(first_study: Mapping[str, xr.Dataset], second_study: Mapping[str, xr.Dataset]) -> str:
     """Return "paired" if two studies have the same sets of scans, otherwise why not.
 
-    "no_sets": a study has no datasets. "other_scans": seeds or recorded surfaces differ.
+    A study is its SET_DATASETS by name. "no_sets": a study has no datasets. "other_scans": seeds or
+    recorded surfaces differ.
     """
     if not (first_study and second_study):
         return "no_sets"
@@ -215,7 +216,7 @@ def pairing(first_study: Mapping[str, xr.Dataset], second_study: Mapping[str, xr
     if not same_seeds or first.sizes != second.sizes:
         return "other_scans"
     same_surfaces = all(
-        np.allclose(first[name], second[name], rtol=TOLERANCE, atol=0, equal_nan=True)
+        np.allclose(first[name], second[name], rtol=SURFACE_TOLERANCE, atol=0, equal_nan=True)
         for name in first
     )
     return "paired" if same_surfaces else "other_scans"

@@ -47,7 +47,7 @@ def draw(
     figure = drawing.create_figure(5.2, fit)
     grid = figure.subplots(2, len(colours), squeeze=False)
     for letter, surface, column in zip(ascii_lowercase, colours, grid.T, strict=False):
-        surface_forces = {  # a surface with fewer scans than others has NaN in place of theirs
+        surface_forces = {  # surfaces with fewer scans than others are padded by NaN
             name: values.sel(surface=surface).stack(force=[...]).dropna("force").values
             for name, values in forces_of_all.items()
         }

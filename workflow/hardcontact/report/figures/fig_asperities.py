@@ -23,7 +23,7 @@ QUANTITIES = {  # title, axis, printed unit
 
 
 def draw(asperities: xr.Dataset, edges: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
-    """Draw shares of the force: (a) of one, (b) of two asperities; (c) numbers, (d) extents."""
+    """Draw the force on (a) the strongest and (b) two asperities, (c) numbers, (d) extents."""
     figure = drawing.create_figure(5.2, asperities)
     grid = figure.subplots(2, 2, sharex=True)
     share = asperities.attrs["share"]
@@ -68,7 +68,7 @@ def _draw_smooth(axes: Axes, asperities: xr.Dataset) -> None:
 
 
 def _draw_long_edge(axes: Axes, edges: xr.Dataset, published_constants: pd.DataFrame) -> None:
-    """Draw the long edge (µm) of the averaged change, and the published one."""
+    """Draw the long edge (µm) of the averaged change, and the published edge."""
     mean_edge = edges.sel(side="long", group=MEAN_GROUP)
     edge = panels.value_and_bounds(mean_edge, "edge")
     value, low, high = np.array([edge["value"], edge["low"], edge["high"]]) / MICROMETRE

@@ -19,7 +19,7 @@ FILE_KINDS = ("pdf", "png", "svg")
 
 @dataclass(frozen=True)
 class Description:
-    """A figure as listed; its texts are templates, or the texts made from these."""
+    """A figure of figures.yaml; its texts are templates there, and rendered after `caption`."""
 
     title: str
     caption: str

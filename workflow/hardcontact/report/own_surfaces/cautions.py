@@ -47,9 +47,9 @@ MISLEADING_DEFECTS = frozenset({"spikes", "equal_lines", "highest"})
 class Caution:
     """A caution about the answer of one surface: a code, and the numbers and texts of its sentence.
 
-    A grave caution changes the force by more than the tolerance of the band. `measurement` is the
-    number of the measurement with a defect, 0 for other cautions. `texts` are names of scans and
-    the like, by their role in the sentence.
+    A caution is grave if its cause may change the force by more than the tolerance of the band.
+    `measurement` is the number of the measurement with a defect, 0 for other cautions. `texts` are
+    names of scans and the like, by their role in the sentence.
     """
 
     def __init__(
@@ -101,7 +101,7 @@ def _contact_cautions(force: xr.Dataset, numbers: Mapping[str, Number]) -> Itera
 
 
 def _measured_force_cautions(numbers: Mapping[str, Number]) -> Iterator[Caution]:
-    """Yield cautions if sites are too few to estimate their scatter, or seem to be repeated."""
+    """Yield cautions if sites are too few to estimate their scatter, or sites seem repeated."""
     force = numbers.get("measured_force")
     if force is None:
         return
@@ -195,7 +195,7 @@ def _blind_scans_caution(data: Datasets) -> Iterator[Caution]:
 
 
 def _defect_cautions(spectra: xr.Dataset, *, grave: bool) -> Iterator[Caution]:
-    """Yield a caution for each defect of the measurements, grave for MISLEADING_DEFECTS."""
+    """Yield a caution for each defect of the measurements, of MISLEADING_DEFECTS if grave."""
     for index, scan in enumerate(split_measurements(spectra), start=1):
         for code, units in DEFECTS.items():
             values = {name: scan[name].item() for name in units}
@@ -242,7 +242,7 @@ def _contradiction_caution(spectra: xr.Dataset) -> Iterator[Caution]:
 
 
 def _excess_roughness_caution(spectra: xr.Dataset) -> Iterator[Caution]:
-    """Yield a caution if the added roughness exceeds that in the scans, which may be smoothed."""
+    """Yield a caution if added roughness far exceeds that in the scans, which may be smoothed."""
     q = spectra["bin_wavevector"].values
     wavelength = 2 * np.pi / q
     scans = drop_padding(spectra)

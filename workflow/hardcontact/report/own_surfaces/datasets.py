@@ -21,7 +21,7 @@ MEASUREMENT_LENGTHS = ("size", "pixel_size", "shortest_reliable", "longest_relia
 
 
 class Datasets(NamedTuple):
-    """The datasets of all surfaces, with the sphere if it is rough, or of a selected one."""
+    """The datasets of all surfaces, or of one; topography and spectra may have the sphere, too."""
 
     topography: xr.Dataset
     spectra: xr.Dataset

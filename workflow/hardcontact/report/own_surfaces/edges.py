@@ -26,7 +26,7 @@ NEARLY_ALL = 0.9
 
 
 class Conclusion(NamedTuple):
-    """The answer of one surface in short; printed intervals have both ends."""
+    """The answer of one surface in short; intervals have both ends or none."""
 
     #: "yes" if both edges are found, edges and force come from wavelengths at which a scan is
     #: reliable, and no extrapolated force differs; "no" if edges and force all come from unreliable
@@ -49,7 +49,7 @@ class NextScan(NamedTuple):
     edge: str  #: short_edge or long_edge.
     code: str  #: finer or larger.
     limit: Number
-    body: str = ""  #: "sphere" or "surface", the rougher one there; "" under a smooth sphere.
+    body: str = ""  #: The rougher at `limit`, "sphere" or "surface"; "" for a smooth sphere.
     pixels_suffice: bool = False  #: Tip, noise or smoothing hide finer waves, not pixels.
 
 
@@ -158,9 +158,9 @@ def measured_share_at_edge(data: Datasets, side: str) -> float:
 def edge_source(data: Datasets, side: str) -> NumberSource:
     """Return whether an edge rests on unreliable wavelengths, as the source of its number.
 
-    "unreliable": the edge, or its bound, lies at such a wavelength, or they cause more than 90 % of
-    the change. "partly_unreliable": they cause 10 to 90 % of the change. "interval_unreliable":
-    only the interval reaches such wavelengths. Otherwise "measured".
+    "unreliable": the edge, or its bound, lies at an unreliable wavelength, or more than 90 % of the
+    change comes from such wavelengths. "partly_unreliable": 10 to 90 % of the change does.
+    "interval_unreliable": only the interval reaches such wavelengths. Otherwise "measured".
     """
     side_edges = data.edges.sel(side=side)
     bands = unreliable_bands(data.spectra)

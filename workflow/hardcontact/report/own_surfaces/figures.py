@@ -224,7 +224,7 @@ def _draw_measurement(
     marker: str,
     shows_unreliable: bool,
 ) -> None:
-    """Draw the PSD (nm⁴) of one measurement where it is reliable, and grey where it is not."""
+    """Draw the PSD (nm⁴) of one measurement where it is reliable; grey elsewhere, if shown."""
     density = measurement["psd"].values
     is_reliable = measurement["reliable"].values == 1
     name = PurePath(measurement_name(measurement)).name

@@ -15,7 +15,7 @@ def preferred_fit(fit: xr.Dataset) -> xr.Dataset:
 
 
 def measured_numbers(fit: xr.Dataset, data: Datasets) -> list[Number]:
-    """Return the force measured on one surface, and the works of adhesion that fit it."""
+    """Return the force measured on one surface, and the works that fit it at the given range."""
     fit_at_range = fit.sel(rho_fine=fit.attrs["rho"], method="nearest")
     numbers = [
         number_of(fit, "measured_force", source="measured"),

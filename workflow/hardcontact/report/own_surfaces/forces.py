@@ -156,7 +156,7 @@ def comparison_numbers(data: Datasets, reference: Datasets) -> Iterator[Number]:
     reference_force = number_of(forces_at_range(reference.force), "force")
     ratio = force.value / reference_force.value
     # Scans are independent, so that the errors of both logarithms add in squares. The ratio is low
-    # where the force is low or the reference force is high: [::-1] swaps the latter's ends.
+    # where the force is low or the reference force is high, so [::-1] puts the high end first.
     fall, rise = np.hypot(_log_distances(force), _log_distances(reference_force)[::-1])
     low, high = float(ratio * np.exp(-fall)), float(ratio * np.exp(rise))
     status = NumberStatus.PLAIN if np.isfinite([low, high]).any() else NumberStatus.NO_INTERVAL
@@ -178,7 +178,7 @@ def _log_distances(number: Number) -> Floats:
 
 
 def _octave_contributions(data: Datasets, reference: Datasets) -> tuple[Floats, Floats]:
-    """Return octaves (nm) that scans of both surfaces show, and their contributions to ln(F/F')."""
+    """Return octaves (nm) that scans of both surfaces show, and what they add to ln(force ratio)."""
     is_shown = shown_octaves(data) & shown_octaves(reference)
     octaves = data.sensitivity["octave"].values[is_shown]
     name = "octave_sensitivity"

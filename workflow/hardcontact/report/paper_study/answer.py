@@ -210,8 +210,8 @@ def _small_scan_forces(datasets: Mapping[str, xr.Dataset]) -> xr.Dataset:
 def _pairs_of_sets(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> Iterator[Number]:
     """Yield the best range and work of adhesion of the sets, with and without the decisive surface.
 
-    Without it the best ranges scatter least. Yields also the standard deviation of each over the
-    sets, and its printed uncertainty.
+    Without the decisive surface the best ranges scatter least. The standard deviation over the sets
+    and the printed uncertainty of range and work follow.
     """
     confidence = datasets["sets"].attrs["confidence"]
     sets = datasets["sets"].sel(contact_model=PLASTIC)

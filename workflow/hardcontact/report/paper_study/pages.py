@@ -96,7 +96,8 @@ def report_pages(
 def convert_chapter(text: str, pages: Collection[str] = ()) -> Chapter:
     """Return a chapter in Markdown as HTML, with anchors at its headings and formulas as MathML.
 
-    Links to documents that are pages lead there, others into the repository become plain text.
+    A link to a document of `pages` (names) leads to its page. Other links into the repository
+    become plain text.
     Raises ValueError if the text does not begin with a title, ``# ...``.
     """
     heading, _, body = text.partition("\n")
@@ -121,7 +122,7 @@ def _formula_as_mathml(formula: str, options: Mapping[str, bool]) -> str:
 
 
 def _page_link(link: re.Match[str], pages: Collection[str]) -> str:
-    """Return a link to a page in place of one to its document, the words of any other link."""
+    """Return a link to the page of a document, or the words of the link if there is no page."""
     words, document, anchor = link.groups(default="")
     return f"[{words}]({document}.html{anchor})" if document in pages else words
 

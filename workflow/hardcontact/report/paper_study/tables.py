@@ -1,4 +1,4 @@
-"""The tables of the paper's study as printed: its statements with their verdicts, and Table 1."""
+"""The tables of the paper's study as printed: statements with their verdicts, and Table 1."""
 
 import math
 from collections.abc import Mapping
