@@ -178,7 +178,7 @@ def _log_distances(number: Number) -> Floats:
 
 
 def _octave_contributions(data: Datasets, reference: Datasets) -> tuple[Floats, Floats]:
-    """Return octaves (nm) that scans of both surfaces show, and what they add to ln(force ratio)."""
+    """Return octaves (nm) that scans of both surfaces show, and their parts of ln(force ratio)."""
     is_shown = shown_octaves(data) & shown_octaves(reference)
     octaves = data.sensitivity["octave"].values[is_shown]
     name = "octave_sensitivity"
