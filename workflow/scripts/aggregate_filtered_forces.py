@@ -9,7 +9,8 @@ with run_job(snakemake) as job:
     params = job.parameters
     loading = params["loading"]
     forces = read_master_forces(params["surfaces"], job.input.master_forces, loading)
-    if job.input.sampled_master_forces:  # There are none if all surfaces are substitutes.
+    # On masters of spectra sampled within their errors: only measured surfaces have such errors.
+    if job.input.sampled_master_forces:
         sampled_forces = read_master_forces(
             params["sampled_surfaces"], job.input.sampled_master_forces, loading
         )

@@ -63,12 +63,13 @@ def test_the_change_at_an_edge_is_split_at_the_shortest_reliable_wavelength():
 def test_open_edges_are_bounds():
     bound = Number("long_edge", 2560.0, "nm", status="open_above", source="measured")
     assert json_value(numbers_of(edges=open_edges())["long_edge"]) == json_value(bound)
-    lower_bound = open_edges()
-    lower_bound["edge_status"].loc[{"side": "long"}] = "open_below"
-    assert numbers_of(edges=lower_bound)["long_edge"].status == "open_below"
-    lower_bound["edge_bound"].loc[{"side": "long"}] = 30_000.0
+    edges_open_below = open_edges()
+    edges_open_below["edge_status"].loc[{"side": "long"}] = "open_below"
+    assert numbers_of(edges=edges_open_below)["long_edge"].status == "open_below"
+    edges_open_below["edge_bound"].loc[{"side": "long"}] = 30_000.0
     assert (
-        edge_source(datasets(edges=lower_bound).select_surface(SURFACES[0]), "long") == "unreliable"
+        edge_source(datasets(edges=edges_open_below).select_surface(SURFACES[0]), "long")
+        == "unreliable"
     )
 
 

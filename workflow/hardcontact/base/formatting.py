@@ -39,9 +39,9 @@ def round_to_three_digits(value: float, rounding: Callable[[float], int]) -> flo
 def format_value_and_ends(value: float, low: float, high: float, *limits: float) -> list[str]:
     """Return a number and both ends of its interval, rounded alike.
 
-    The last digit is about a fifth of the interval's width or of the smallest number. If the ends
-    differ by more than a factor of three, each number has two digits instead. An end gets more
-    digits if rounding would move it to or across a limit.
+    The last digit is at most a fifth of the interval's width and, if both ends have one sign, of
+    the smallest number. If then the numbers differ by more than a factor of three, each has two
+    digits instead. An end gets more digits if rounding would move it to or across a limit.
     """
     numbers = (value, low, high)
     if not all(map(math.isfinite, numbers)):
@@ -105,11 +105,11 @@ def format_quantity(
     digits: int = 3,
     open_end: str = "",
 ) -> str:
-    """Return a number with its unit and its interval: "1.7 µm" or "0.64 [0.5, 0.8] µN".
+    """Return a number with its unit and its interval: "1.7 µm" or "640 [500, 800] nN".
 
     Number and interval are in `unit`, a key of PRINTED_UNITS. Unknown ends are NaN. If the interval
     `is_unbounded` or extends from 0 to infinity, it is printed as "[not bounded]".
-    With the `open_end` "high": "0.64 µN (at least 0.5 µN)".
+    With the `open_end` "high": "640 nN (at least 500 nN)".
     """
     is_finite = math.isfinite(sum(interval))
     unbounded = is_finite and is_unbounded(value, *interval, unit)
@@ -131,7 +131,7 @@ def format_as_paper(
     open_end: str = "",
     limits: Sequence[float] = (),
 ) -> str:
-    """Return a quantity in the units of the paper, with its interval: "1.66 [1.38, 2.84] µm".
+    """Return a quantity in the units of the paper, with its interval: "1.7 [1.4, 2.8] µm".
 
     The arguments are those of `format_quantity`, but any `unit` is accepted. The text is empty if
     the value is NaN. Ends have enough digits to show on which side of each of the `limits` they

@@ -1,7 +1,7 @@
 """C_iso of one scan, a map or a line scan, with the number of independent modes and local slopes.
 
-A line scan has C_1D alone (`surfaces.spectrum`). An inverse Abel transform of its slope at all
-larger wavevectors gives C_iso (Bracewell, The Fourier Transform and Its Applications).
+C_iso (nm⁴) and C_1D (nm³) are defined in `surfaces.spectrum`. A line scan has C_1D alone: an inverse
+Abel transform of the slope of C_1D at all larger wavevectors gives C_iso (Bracewell, The Fourier Transform and Its Applications).
 """
 
 from dataclasses import replace
@@ -20,7 +20,7 @@ INDEPENDENT_SHARE = (3 / 8) ** 2 / (35 / 128)
 #: Relative standard deviation of C_iso between scans with many modes: heights of microscopes are
 #: calibrated to some ten percent. It limits the weight of a scan.
 CALIBRATION_SCATTER = 0.2
-#: Half the width, in ln q, of the interval to which a local slope is fitted: five bins.
+#: Half the width, in ln q, of the interval to which a local slope is fitted: it holds five bins.
 SLOPE_HALF_WIDTH = 0.25 * np.log(10)
 #: Standard deviation, in ln q, of the kernel that smooths a spectrum: one bin of BIN_EDGES.
 SMOOTHING_WIDTH = 0.1 * np.log(10)
@@ -59,7 +59,8 @@ def axis_ratio(scan: HeightMap) -> Floats:
 def independent_modes(kind: str, size: float) -> Floats:
     """Return the number of independent modes in each bin of the PSD of a map or line scan.
 
-    One of each pair ±q counts, times the share that the Hann window leaves independent.
+    One of each pair ±q counts, times the share that the Hann window leaves independent; a bin has
+    at least the share of a single wave.
     """
     if kind == "map":
         count = np.pi / 2 * np.diff(BIN_EDGES**2) * (INDEPENDENT_SHARE * size / (2 * np.pi)) ** 2

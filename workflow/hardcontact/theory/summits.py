@@ -89,8 +89,8 @@ def summit_half_width(spectrum: Spectrum, levels: ArrayLike) -> Floats:
     distances = np.geomspace(0.05 / q[-1], 10 / q[0], DISTANCE_COUNT)
     # The fall of the autocorrelation at the distances, in shares of sigma².
     integrand = spectrum.density * q**2 * (1 - special.j0(distances[:, None] * q))
-    variance = 2 * np.pi * spectral_moment(spectrum, 0)
-    fall = np.maximum.accumulate(np.trapezoid(integrand, np.log(q), axis=1) / variance)
+    total = 2 * np.pi * spectral_moment(spectrum, 0)  # 2 pi sigma², as the integrand lacks 1/(2 pi)
+    fall = np.maximum.accumulate(np.trapezoid(integrand, np.log(q), axis=1) / total)
     log_fall = -2 * np.log(np.maximum(levels, LOWEST_SUMMIT_LEVEL))
     return np.asarray(np.exp(np.interp(log_fall, np.log(fall), np.log(distances))))
 
@@ -119,7 +119,7 @@ def summits_above(spectrum: Spectrum, radius: float) -> tuple[Floats, Floats, Fl
     """
     half_widths = summit_half_width(spectrum, LEVELS)
     share_above = special.ndtr(-LEVELS)
-    # Between two levels the sphere is above this area of the plane, in nm².
+    # Area (nm²) of the plane over which the height of the sphere changes by one level, sigma.
     area_per_level = 2 * np.pi * radius * np.sqrt(spectral_moment(spectrum, 0))
     return (
         half_widths,

@@ -1,4 +1,7 @@
-"""Sums over a smooth sphere: a matrix product, because exp(-y/rho) is a product over both axes."""
+"""Sums over a smooth sphere: a matrix product, because exp(-y/rho) is a product over both axes.
+
+y is the height of the sphere over its apex: the sum of a function of the row and one of the column.
+"""
 
 from collections.abc import Iterable, Iterator, Sequence
 
@@ -17,7 +20,10 @@ BLOCK_ROWS = 64
 def sums_by_subtraction(
     bodies: Bodies, contact_pixels: ContactPixels, ranges: Sequence[float]
 ) -> Floats:
-    """Return `outside_sums` on a smooth sphere: sums over all pixels less those in contact."""
+    """Return the sums of `outside_sums.outside_sums` as sums over all pixels less those in contact.
+
+    The reference gaps of contact pixels ascend, so that the last one is the largest.
+    """
     heights = bodies.substrate.heights
     precision = heights.dtype.type  # `join_bodies` permits single and double precision.
     highest = float(heights.max())
@@ -69,7 +75,7 @@ def _contact_sums(
 ) -> Floats:
     """Return G exp((z - highest)/rho) G^T, (rho, contact_y, contact_x), from blocks of rows.
 
-    A block has its rows, and exp((z - highest)/rho) (rows, n) by range; `factors` has G by range.
+    A block has its rows, and exp((z - highest)/rho) (rows, n) by range; `factors` has G (`axis_factors`) by range.
     """
     columns = [np.ascontiguousarray(axis_factor.T) for axis_factor in factors]
     sums = np.zeros((len(factors), *[len(factors[0])] * 2))

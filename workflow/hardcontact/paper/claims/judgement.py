@@ -1,7 +1,7 @@
 """Compare each claim, a statement of the paper, with a computed estimate (`estimates`).
 
 A claim is a row of resources/paper/claims.csv: `dataset`, `quantity` and `select` name the
-estimate, the rule and the published limits turn it into a verdict.
+estimate. The rule and the published limits turn it into a verdict.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -35,7 +35,7 @@ from hardcontact.paper.claims.verdicts import (
 )
 from hardcontact.surfaces.metrics import TABLE1_VARIABLES
 
-#: Functions of datasets that the column `quantity` may name: the public ones of these modules.
+#: Functions of datasets that the column `quantity` may name: every public function of these modules.
 DERIVED_QUANTITIES: dict[str, Callable[..., xr.Dataset]] = {
     name: function
     for module in (band_quantities, contact_quantities, force_quantities)
@@ -68,8 +68,8 @@ def judge_claims(
 ) -> pd.DataFrame:
     """Return one row for each claim, with JUDGED_COLUMNS.
 
-    Samples, from ``value`` (set, claim) of sets.nc or from the posterior, give the agreeing share
-    and, if they vary, interval and verdict. A claim about a surface or another label that the study
+    A claim about range or work is judged by the share of accepted samples of the posterior, others
+    by how many sets agree, if ``value`` (set, claim) of sets.nc varies, or by their interval. A claim about a surface or another label that the study
     lacks is left out. Raises ValueError if a dataset, a variable or an attribute is missing.
     """
     topography = datasets["topography"]
