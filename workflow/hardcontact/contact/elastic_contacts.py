@@ -52,9 +52,9 @@ def solve_elastic_contacts(
 ) -> xr.Dataset:
     """Solve some contacts of two bodies with elasticity, without plasticity.
 
-    The indices (contact, 2) are row and column in the array of contacts. Returns variables (contact) with the
-    names in ELASTIC_UNITS, and ``pressure`` (y, x) in Pa about the peak of the first contact.
-    Raises ValueError if `elastic` does not solve a contact.
+    The indices (contact, 2) are row and column in the array of contacts. Returns variables
+    (contact) with the names in ELASTIC_UNITS, and ``pressure`` (y, x) in Pa about the peak of the
+    first contact. Raises ValueError if `elastic` does not solve a contact.
     """
     contact.require("rho", "work")
     geometry = bodies.geometry

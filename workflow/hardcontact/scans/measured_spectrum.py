@@ -1,7 +1,8 @@
 """C_iso of one scan, a map or a line scan, with the number of independent modes and local slopes.
 
-C_iso (nm⁴) and C_1D (nm³) are defined in `surfaces.spectrum`. A line scan has C_1D alone: an inverse
-Abel transform of the slope of C_1D at all larger wavevectors gives C_iso (Bracewell, The Fourier Transform and Its Applications).
+C_iso (nm⁴) and C_1D (nm³) are defined in `surfaces.spectrum`. A line scan has C_1D alone. An
+inverse Abel transform of the slope of C_1D at all larger wavevectors gives C_iso (Bracewell, The
+Fourier Transform and Its Applications).
 """
 
 from dataclasses import replace

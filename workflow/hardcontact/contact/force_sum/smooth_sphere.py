@@ -75,7 +75,8 @@ def _contact_sums(
 ) -> Floats:
     """Return G exp((z - highest)/rho) G^T, (rho, contact_y, contact_x), from blocks of rows.
 
-    A block has its rows, and exp((z - highest)/rho) (rows, n) by range; `factors` has G (`axis_factors`) by range.
+    A block has its rows, and exp((z - highest)/rho) (rows, n) by range; `factors` has G by range
+    (`axis_factors`).
     """
     columns = [np.ascontiguousarray(axis_factor.T) for axis_factor in factors]
     sums = np.zeros((len(factors), *[len(factors[0])] * 2))

@@ -35,7 +35,7 @@ from hardcontact.paper.claims.verdicts import (
 )
 from hardcontact.surfaces.metrics import TABLE1_VARIABLES
 
-#: Functions of datasets that the column `quantity` may name: every public function of these modules.
+#: Functions of datasets that the column `quantity` may name: all public ones of these modules.
 DERIVED_QUANTITIES: dict[str, Callable[..., xr.Dataset]] = {
     name: function
     for module in (band_quantities, contact_quantities, force_quantities)
@@ -68,9 +68,10 @@ def judge_claims(
 ) -> pd.DataFrame:
     """Return one row for each claim, with JUDGED_COLUMNS.
 
-    A claim about range or work is judged by the share of accepted samples of the posterior, others
-    by how many sets agree, if ``value`` (set, claim) of sets.nc varies, or by their interval. A claim about a surface or another label that the study
-    lacks is left out. Raises ValueError if a dataset, a variable or an attribute is missing.
+    Range and work are judged by the share of accepted samples of the posterior. Other claims are
+    judged by how many sets agree if ``value`` (set, claim) of sets.nc varies, else by the interval.
+    A claim about a surface or another label that the study lacks is left out. Raises ValueError if
+    a dataset, a variable or an attribute is missing.
     """
     topography = datasets["topography"]
     rows = []
