@@ -22,7 +22,7 @@ from hardcontact.base.arrays import generator
 from hardcontact.base.dataset import stack, write_dataset
 from hardcontact.base.statistics import student_log_interval
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import window_pixels
+from hardcontact.contact.geometry import count_window_pixels
 from hardcontact.contact.pull_off import FORCE_ATTRS, make_force_function
 from hardcontact.inference.edges import edges_of_ratios
 from hardcontact.surfaces.filters import filtered_series
@@ -87,7 +87,7 @@ def realization_forces(name, spectrum, realization):
     surfaces = []
     for size in SURFACE_SIZES:
         rng = generator(SEED, name, realization, f"window edges {size:g} nm")
-        pixels = window_pixels(size, PIXEL_SIZE)
+        pixels = count_window_pixels(size, PIXEL_SIZE)
         surfaces.append(random_surface(rng, pixels, PIXEL_SIZE, spectrum))
     means = [
         np.mean([filtered_forces(scan, SCAN_CONTACT) for scan in scans], axis=0)

@@ -181,7 +181,10 @@ REFUSED = [
     (["store", "one.nc", "--overwrite"], ["found store"]),
     (["kept", "one.nc"], ["results/kept-quick: expected none"]),
     ([NAME, "one.nc", "./one.nc"], ["one.nc", "once", "2 times"]),
-    ([NAME, "--surface", "A", "one.nc", "--surface", "a", "two.nc"], ["that differ", "also a"]),
+    (
+        [NAME, "--surface", "A", "one.nc", "--surface", "a", "two.nc"],
+        ["A and a:", "found a for both"],
+    ),
     ([NAME, "--surface", "$x$", "one.nc", "two.nc"], ["--surface", "label", "without $"]),
     ([NAME, "a\n\033[31m.nc"], ["'a\\n\\x1b[31m.nc'", "printable"]),
     ([NAME, "bare.nc"], ["bare.nc", "--unit"]),

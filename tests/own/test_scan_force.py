@@ -15,7 +15,7 @@ from refusals import assert_says, refusal
 import hardcontact as hc
 from hardcontact.base.arrays import generator
 from hardcontact.commands.predict import predict, predict_arguments
-from hardcontact.contact.geometry import window_pixels
+from hardcontact.contact.geometry import count_window_pixels
 from hardcontact.own import scan_force
 from hardcontact.own.own_spectrum import OwnSpectrum
 from hardcontact.own.scan_contact import contact_on_scan
@@ -51,7 +51,7 @@ def heights_of(kind):
 def direct_forces(scan):
     """The plastic forces (N) of all contacts on a levelled map, pixel by pixel."""
     heights = mirror(scan.heights)
-    pixels = window_pixels(contact_on_scan(scan, CONTACT).window, scan.pixel_size)
+    pixels = count_window_pixels(contact_on_scan(scan, CONTACT).window, scan.pixel_size)
     positions = (np.arange(CONTACTS) + 0.25) * len(heights) / CONTACTS
     touching = int(np.ceil(CONTACT.area / scan.pixel_size**2))
     gaps = (

@@ -96,7 +96,7 @@ def pickled_array(path):
 
 
 def altered(offset, form, value):
-    """Write a container whose last file is declared with another value at an offset."""
+    """Write a container that declares its last file falsely: 24 is its size, 8 its flags."""
 
     def written(path):
         container(path, bytes(2**20))
@@ -137,8 +137,8 @@ HOSTILE = {
         lambda path: path.write_text("# Value units: V\n" + text(random_heights())),
         "values in V, which is no unit of length: multiply them",
     ),
-    "words": (lambda path: path.write_text("sample,good\n" * 5000), "found"),
-    "pickled array": (pickled_array, "found"),
+    "words": (lambda path: path.write_text("sample,good\n" * 5000), "none of its readers takes"),
+    "pickled array": (pickled_array, "data of type 'object'"),
     "zip bomb": (lambda path: container(path, bytes(2**26)), "MemoryError"),
     "lying zip": (altered(24, "<I", 1000), "Bad CRC-32"),
     "encrypted zip": (altered(8, "<H", 1), "encrypted"),
@@ -147,9 +147,9 @@ HOSTILE = {
         "none of its readers takes",
     ),
     "pixels": (hdf5(too_many_pixels, True), "16 to 8192 pixels per row"),
-    "external storage": (hdf5(external_storage, False), "found"),
-    "external link in a container": (hdf5(external_link, True), "found"),
-    "virtual data": (hdf5(virtual, False), "found"),
+    "external storage": (hdf5(external_storage, False), "states the physical size"),
+    "external link in a container": (hdf5(external_link, True), "none of its readers takes"),
+    "virtual data": (hdf5(virtual, False), "states the physical size"),
     "many scans": (
         listing(json.dumps({"surfaces": [{"topographies": MANY}]})), "at most 1000 scans",
     ),
@@ -159,10 +159,10 @@ HOSTILE = {
     ),
     "aliases": (listing(ALIASES + "surfaces: *a11\n"), "lists surfaces"),
     "deep list": (listing("[" * 1200), "lists surfaces"),
-    "aliased unit": (listing(ALIASED_UNIT), "found"),
+    "aliased unit": (listing(ALIASED_UNIT), "a readable scan"),
     "no text": (listing(scan_list(["a.txt"])), "lists surfaces"),
-    "letters": (listing(scan_list("b\n\033[31m.txt")), "found"),
-    "size in words": (listing(scan_list(size="long")), "found"),
+    "letters": (listing(scan_list("b\n\033[31m.txt")), "a dataset that names one scan"),
+    "size in words": (listing(scan_list(size="long")), "2 positive numbers"),
     "unit of no length": (listing(scan_list(unit="V")), "a unit of length"),
     "infinite size": (listing(scan_list(size=[float("inf")] * 2)), "2 positive numbers"),
     "large size": (listing(scan_list(size=[1e30] * 2)), "pixels and differences of height"),
@@ -246,6 +246,7 @@ def chatter(_):
         (crash, "whose reader stops"),
         (loop, "takes more than 1 s"),
         (hoard, "MemoryError"),
+        # The child may open no file, so each open fails like this.
         (write_a_file, "Too many open files"),
         (read_a_file, "Too many open files"),
         (chatter, "(RuntimeError: two lines [31m)"),

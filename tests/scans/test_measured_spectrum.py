@@ -90,8 +90,8 @@ def two_slopes(q):
     return 1e6 / ((q / 0.01) ** 2.4 + (q / 0.01) ** 4.4)
 
 
-def two_rolloffs(q):
-    """A plateau, q^-4, a second plateau and q^-3.2 again: grains with roughness of their own."""
+def rolloff_with_finer_roughness(q):
+    """A plateau, then q^-4, which bends to about q^-3.2 where finer roughness prevails."""
     return 1e7 / (1 + (q / 0.01) ** 4) + 10 * (1 + q / 0.3) ** -3.2
 
 
@@ -105,7 +105,8 @@ def test_converted_power_laws_match_the_closed_form(hurst):
 
 
 @pytest.mark.parametrize(
-    ("density", "tolerance"), [(two_slopes, 0.02), (uncd_density, 0.07), (two_rolloffs, 0.11)]
+    ("density", "tolerance"),
+    [(two_slopes, 0.02), (uncd_density, 0.07), (rolloff_with_finer_roughness, 0.11)],
 )
 def test_bent_spectra_are_recovered_from_their_profiles(density, tolerance):
     converted = isotropic_from_profile(WAVEVECTORS, profile_of(density, WAVEVECTORS), MANY_WAVES)

@@ -9,7 +9,7 @@ from hardcontact.commands.inventory import UserScan
 from hardcontact.config.limits import MAX_CONTACT_PIXELS
 from hardcontact.contact.bearing_area import CELL_PIXELS
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import window_pixels
+from hardcontact.contact.geometry import count_window_pixels
 from hardcontact.contact.numerical_limits import (
     PENETRATION_OVER_RANGE,
     minimum_range,
@@ -132,7 +132,7 @@ def short_edge_pixels(scan: UserScan, contact: Contact, max_pixels: int) -> int:
 def _contact_seconds(scan: UserScan, contact: Contact, pixel_size: float) -> float:
     """Estimate the seconds for one contact and its periods on pixels of a width (nm)."""
     periods = periods_in_window(contact.window, scan.size)
-    cell_count = (window_pixels(contact.window, pixel_size) / CELL_PIXELS) ** 2
+    cell_count = (count_window_pixels(contact.window, pixel_size) / CELL_PIXELS) ** 2
     pixel_count = contact.pixel_count(pixel_size) * periods
     return pixel_count * SECONDS_A_PIXEL + cell_count * SECONDS_A_CELL
 

@@ -1,4 +1,7 @@
-"""What the user asks of `hardcontact new`: its command line, and the names and files in it."""
+"""What the user asks of `hardcontact new`: its command line, and the names and files in it.
+
+The parser also answers --help and --version, and refuses an unknown command.
+"""
 
 import os
 import re
@@ -23,7 +26,7 @@ SPHERE = "sphere"
 
 
 def new_arguments(arguments: Sequence[str]) -> Namespace:
-    """Return the parsed command line, with the command; a wrong one ends the program."""
+    """Return the parsed command line; --help, --version and a wrong one end the program."""
     parser = CommandLine("hardcontact", USAGE)
     parser.add_argument("--version", action="version", version=version("hardcontact"))
     parser.add_argument(
@@ -120,8 +123,8 @@ def list_scan_files(arguments: Namespace, radius: float) -> tuple[list[ScanFile]
         surface = surface_id(label)
         if surface in labels:
             faults.append(
-                f"--surface {labels[surface]}: expected labels that differ in their first 40 "
-                f"letters and digits, found also {label}"
+                f"labels {labels[surface]} and {label}: expected different ids, found {surface} "
+                "for both: take labels that differ in letters a-z or digits"
             )
         labels.setdefault(surface, label)
         # Another surface may have the label of the sphere, too.
@@ -150,7 +153,11 @@ def _files_in(file: str) -> list[str]:
 
 
 def surface_id(label: str) -> str:
-    """Return the id of a surface: its label in lower case, other characters as underscores."""
+    """Return the id of a surface: its label in lower case, at most 40 characters.
+
+    An underscore stands for other characters than a-z and digits. The prefix ``surface_`` marks an
+    id that would be reserved or would not begin with a letter.
+    """
     name = re.sub(r"[^a-z0-9]+", "_", label.lower()).strip("_")
     if name in RESERVED_IDS or not re.match("[a-z]", name):
         name = f"surface_{name}".rstrip("_")

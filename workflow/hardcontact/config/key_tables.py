@@ -96,10 +96,10 @@ def _values(field: FieldInfo) -> str:
     if get_origin(annotation) is list:
         return f"a list: {_values(FieldInfo.from_annotation(get_args(annotation)[0]))}"
     names = ("ge", "le", "multiple_of")
-    limits = [
+    low, high, *steps = (
         getattr(item, name) for name in names for item in field.metadata if hasattr(item, name)
-    ]
-    return "{} to {}".format(*limits) + "".join(f", a multiple of {step}" for step in limits[2:])
+    )
+    return f"{low} to {high}" + "".join(f", a multiple of {step}" for step in steps)
 
 
 def _inline_yaml(value: Any) -> str:

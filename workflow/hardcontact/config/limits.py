@@ -15,7 +15,7 @@ from hardcontact.base.formatting import format_quantity
 from hardcontact.config.configuration import get_key, is_paper_study, master_keys, study_contact
 from hardcontact.config.faults import key_fault, raise_faults
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import window_pixels
+from hardcontact.contact.geometry import count_window_pixels
 from hardcontact.contact.numerical_limits import (
     PENETRATION_OVER_RANGE,
     Extent,
@@ -115,7 +115,7 @@ def contact_faults(named_contact: NamedContact, surface: str, extent: Extent) ->
     """Yield the faults of a contact on a scan: load, number of contacts and range of adhesion."""
     contact, load_name, count_name, range_name, prefix = named_contact
     row_pixels = 2 * extent.pixels
-    seen_pixels = min(window_pixels(contact.window, extent.pixel_size), row_pixels) ** 2
+    seen_pixels = min(count_window_pixels(contact.window, extent.pixel_size), row_pixels) ** 2
     reason = f"which a quarter of the {seen_pixels} pixels of {surface} can carry"
     yield from _load_faults(
         prefix + load_name, contact, seen_pixels // 4, extent.pixel_size, reason
@@ -151,9 +151,9 @@ def _body_faults(
     window = study["contact"]["window"]
     pixel_size = min(extent.pixel_size, sphere.pixel_size)
     bodies = f"{surface} and the sphere"
-    if window_pixels(window, pixel_size) > MAX_MAP_PIXELS:
+    if count_window_pixels(window, pixel_size) > MAX_MAP_PIXELS:
         accepted = f"at most {MAX_MAP_PIXELS} pixels of {pixel_size:.4g} nm, on {bodies}"
-        yield key_fault("contact.window", accepted, window_pixels(window, pixel_size))
+        yield key_fault("contact.window", accepted, count_window_pixels(window, pixel_size))
     yield from _map_faults(bodies, pixel_size, extent, sphere)
     contacts = study_contacts(study)
     periods = periods_in_window(window, extent.size)

@@ -13,9 +13,9 @@ from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.elastic import adhesive_pull_off, pressure_at_load
 from hardcontact.contact.geometry import (
     Bodies,
+    count_window_pixels,
     reference_gap_map,
     square_around_lowest,
-    window_pixels,
 )
 from hardcontact.contact.hertz_jkr_dmt import hertz_contact
 
@@ -60,7 +60,7 @@ def solve_elastic_contacts(
     geometry = bodies.geometry
     pixel_size = geometry.pixel_size
     period_pixels = min(bodies.substrate.pixels, geometry.window_pixels)
-    pull_off_pixels = min(window_pixels(PULL_OFF_WINDOW, pixel_size), period_pixels)
+    pull_off_pixels = min(count_window_pixels(PULL_OFF_WINDOW, pixel_size), period_pixels)
     metrics = []
     pressures = []
     # More threads take twice the processor time and give the same numbers.

@@ -70,7 +70,7 @@ class Bodies:
         return heights
 
 
-def window_pixels(window: float, pixel_size: float) -> int:
+def count_window_pixels(window: float, pixel_size: float) -> int:
     """Return the even number of pixels per row of an analysis window (both in nm)."""
     return 2 * int(round(window / pixel_size / 2))
 
@@ -115,7 +115,7 @@ def join_bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact
     geometry = ContactGeometry(
         contact.radius,
         substrate.pixel_size,
-        window_pixels(contact.window, substrate.pixel_size),
+        count_window_pixels(contact.window, substrate.pixel_size),
         contact_positions(substrate.pixels, contact.contacts_per_row),
     )
     return Bodies(substrate, sphere_roughness, geometry)

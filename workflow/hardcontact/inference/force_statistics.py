@@ -15,8 +15,9 @@ from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.contact.force_interpolation import interpolate_forces
 from hardcontact.contact.pull_off import mean_over_contacts
 
-#: Statistics of the forces on one surface, with their attributes. The mean over scans has Student's
-#: interval. Single forces determine the other statistics, the jackknife over scans their intervals.
+#: Statistics of the forces on one surface, with their attributes. The mean is over scans, and has
+#: Student's interval. The other statistics are of all single forces; their intervals come from the
+#: jackknife, which leaves out one scan at a time.
 STATISTIC_ATTRS = {
     "mean_force_at_pair": NEWTON, "median_force_at_pair": NEWTON,
     "log_force_std": DIMENSIONLESS, "lognormal_median": NEWTON,
@@ -27,7 +28,8 @@ def sample_mean_forces(forces: xr.DataArray, sampling: Sampling) -> Floats:
     """Return mean forces (1 + sample, surface, rho) over all scans: the means, then their samples.
 
     Forces (surface, scan, rho, ...) are in N, NaN for a missing scan. Samples are NaN for a surface
-    with a single scan. Random numbers depend on the surface alone: contact models share them.
+    with a single scan. Random numbers of a study depend only on the surface, so contact models
+    share them.
     """
     scan_means = mean_over_contacts(forces)
     means = sampling.sample_means("adhesion", scan_means, "scan")
@@ -66,23 +68,24 @@ def force_statistics(forces: Floats, sampling: Sampling) -> tuple[Floats, Floats
     """
     is_finite = np.isfinite(forces)
     scan_count = int(is_finite.any(axis=(1, 2)).sum())
+    # All scans that exist have the same number of contacts.
     finite_forces = forces[is_finite].reshape(scan_count, is_finite.sum() // max(scan_count, 1))
     scan_means = xr.DataArray(finite_forces, dims=("scan", "contact")).mean("contact")
-    jackknife_values = _jackknife_statistics(finite_forces)
-    values = np.array([scan_means.mean(), *jackknife_values])
+    single_force_values = _single_force_statistics(finite_forces)
+    values = np.array([scan_means.mean(), *single_force_values])
     if not sampling.sample_count:
         return values, np.full((len(values), 2), np.nan)
     kept_forces = (np.delete(finite_forces, scan, axis=0) for scan in range(scan_count))
-    leave_one_out = [_jackknife_statistics(kept) for kept in kept_forces]
+    leave_one_out = [_single_force_statistics(kept) for kept in kept_forces]
     intervals = [
         student_log_interval(scan_means, sampling.confidence, "scan").values,
-        *jackknife_interval(jackknife_values, leave_one_out, sampling.confidence),
+        *jackknife_interval(single_force_values, leave_one_out, sampling.confidence),
     ]
     return values, np.array(intervals)
 
 
-def _jackknife_statistics(forces: Floats) -> Floats:
-    """Return STATISTIC_ATTRS without the mean (3,) for any forces; NaN without forces."""
+def _single_force_statistics(forces: Floats) -> Floats:
+    """Return STATISTIC_ATTRS without the mean (3,) of single forces (...), NaN without any."""
     if not forces.size:
         return np.full(3, np.nan)
     logarithms = np.log(forces)

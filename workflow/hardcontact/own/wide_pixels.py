@@ -1,4 +1,7 @@
-"""Forces on wider pixels, because these show how much finer pixels may lower the force."""
+"""Forces on pixels four times as wide.
+
+The factor by which they raise the force estimates that by which finer pixels would lower it.
+"""
 
 from dataclasses import replace
 
@@ -38,13 +41,13 @@ def forces_by_pixel_width(
 def finer_pixel_factors(wide_pixel_ratios: np.ndarray | float) -> np.ndarray:
     """Return the largest factors by which finer pixels may lower forces; 1 where a ratio is NaN.
 
-    They are the factors by which wider pixels raise the force
+    `wide_pixel_ratios` are forces on wide pixels relative to those on the pixels of the scan
     (tests/benchmarks/validate_random_surfaces.py).
     """
     return np.asarray(np.fmax(wide_pixel_ratios, 1.0))
 
 
-def surface_pixel_factors(force: xr.Dataset) -> xr.DataArray:
+def surface_pixel_factors(force_dataset: xr.Dataset) -> xr.DataArray:
     """Return the factors (surface) by which finer pixels may lower forces, 1 for substitutes."""
-    ratios = force.get("wide_pixel_ratio", xr.ones_like(force["surface"], dtype=float))
+    ratios = force_dataset.get("wide_pixel_ratio", xr.ones_like(force_dataset["surface"], float))
     return ratios.copy(data=finer_pixel_factors(ratios.values))

@@ -23,13 +23,13 @@ RECORDS = ".origin"
 
 
 class Record(NamedTuple):
-    """The origin of a file that a job made, as its record has it, and the SHA-256 of the file."""
+    """The stored `Origin` of a file that a job made, plus the file's own SHA-256 and lineage."""
 
     parameters: dict[str, Any]
     versions: dict[str, str]  #: Versions of PACKAGES, by package.
     input_digests: dict[str, str]  #: SHA-256 by path.
     sha256: str
-    lineage: str  #: From `lineage`; empty in records of former versions.
+    lineage: str  #: From `lineage_digest`; empty in records of former versions.
 
 
 def canonical_json(parameters: object) -> str:
@@ -59,7 +59,7 @@ def versions() -> dict[str, str]:
     return {name: version(name) for name in PACKAGES}
 
 
-def lineage(parameters_json: str, input_lineages: Mapping[str, str]) -> str:
+def lineage_digest(parameters_json: str, input_lineages: Mapping[str, str]) -> str:
     """Return a digest of a file's parameters, of package versions and of the lineage of each input.
 
     The lineage of a file that no job made is its SHA-256. A changed scan therefore changes the
@@ -78,7 +78,7 @@ class Origin(NamedTuple):
 
     parameters_json: str  #: Canonical, as `canonical_json` returns it.
     input_digests: dict[str, str]  #: SHA-256 by path.
-    code: list[str]  #: Paths among the inputs that are also digested together.
+    code: list[str]  #: Those inputs that are modules of code; `code_digest` sums them up.
 
     def attributes(self) -> dict[str, str]:
         """Return the origin as texts: equal texts mean an equal file.
@@ -95,7 +95,7 @@ class Origin(NamedTuple):
 
 def record_path(path: str | Path) -> Path:
     """Return the path of the record of a file."""
-    # A search for *.nc finds datasets alone.
+    # The name does not end in .nc, so that a search for *.nc finds no records.
     return Path(path).parent / RECORDS / f"{Path(path).name}.json"
 
 
@@ -107,7 +107,7 @@ def keep_records(paths: Iterable[str | Path], origin: Origin) -> None:
         input_lineages[path] = record.lineage if record and record.lineage else digest
     shared_record = origin.attributes() | {
         "input_digests": origin.input_digests,
-        "lineage": lineage(origin.parameters_json, input_lineages),
+        "lineage": lineage_digest(origin.parameters_json, input_lineages),
     }
     for path, sha256 in file_digests(paths).items():
         write_text_file(record_path(path), canonical_json(shared_record | {"sha256": sha256}))

@@ -33,8 +33,8 @@ from hardcontact.surfaces.substitute_spectra import (
     read_segments,
 )
 
-#: Upper bound on the differences in height between contacts on a substitute for a surface of the
-#: paper, in nm: about five times the largest rms height (MCD).
+#: Bound on highest minus lowest point of a substitute for a surface of the paper, in nm: about five
+#: times the largest rms height (MCD).
 SUBSTITUTE_RELIEF = 500.0
 #: The same bound relative to the rms height of all waves of a domain. The largest ratio on 24
 #: random surfaces of 10 to 40 um, from descriptions of 18 to 850 nm rms, was 3.7; this is a fifth
@@ -181,6 +181,7 @@ def surface_extent(study: dict[str, Any], surface: str, rows: pd.DataFrame) -> E
     if rows.source.iloc[0] == "substitute":
         pixels = study["substitutes"]["pixels"]
         size = study["substitutes"]["size"]
+        # A description that needs a calibration has no rms height before a job calibrates it.
         relief = SUBSTITUTE_RELIEF
         if not needs_calibration(read_segments(path)):
             widest_domain = 2 * size * study["band"]["long"]["tiles"]

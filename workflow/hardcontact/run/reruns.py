@@ -18,7 +18,7 @@ from hardcontact.records.origin import (
     Record,
     canonical_json,
     file_digest,
-    lineage,
+    lineage_digest,
     read_record,
     refuse_edited_files,
     versions,
@@ -36,7 +36,7 @@ MIN_SNAKEMAKE = "9.27"
 class Changes(NamedTuple):
     """The differences between the record of a file and the file that would be made now."""
 
-    #: Parameters and versions found only in the record, or one text that there is no record.
+    #: Parameters and versions found only in the record; without a record, a text that says so.
     recorded: set[str]
     current: set[str]  #: Parameters and versions found only now.
     inputs: set[str]  #: Inputs that are new, gone, or have a different content.
@@ -45,7 +45,8 @@ class Changes(NamedTuple):
 class Reruns:
     """Finds what changed since the files of a run were made.
 
-    A job is Snakemake's: it has paths as `input` and a mapping as `params.parameters`.
+    A job is Snakemake's: it has paths as `input` and a mapping as `params.parameters`. The lineage
+    of a file is one digest of all parameters, versions and files not made by a job that lead to it.
     """
 
     def __init__(self, dependencies: Mapping[Any, Mapping[Any, Iterable[str]]]) -> None:
@@ -65,7 +66,7 @@ class Reruns:
         return Changes(recorded - current, current - recorded, self._changed_inputs(job, record))
 
     def _changed_inputs(self, job: Any, record: Record) -> set[str]:
-        """Return inputs that changed; missing ones only if a file that leads to them changed."""
+        """Return inputs that changed; missing ones only if the lineage of the outputs did."""
         if job not in self._input_digests:
             self._input_digests[job] = {path: self._digest(path) for path in _input_paths(job)}
         inputs = self._input_digests[job]
@@ -94,11 +95,11 @@ class Reruns:
                 for maker, paths in self._dependencies[job].items()
                 for path in paths
             }
-            input_lineages = {
+            lineages = {
                 path: self._lineage(makers[path]) if path in makers else _file_lineage(path)
                 for path in _input_paths(job)
             }
-            self._lineages[job] = lineage(canonical_json(job.params.parameters), input_lineages)
+            self._lineages[job] = lineage_digest(canonical_json(job.params.parameters), lineages)
         return self._lineages[job]
 
 

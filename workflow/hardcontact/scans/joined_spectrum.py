@@ -1,4 +1,7 @@
-"""One spectrum of a surface from all scans of it: maps of several sizes, and line scans."""
+"""One spectrum of a surface from all scans of it: maps of several sizes, and line scans.
+
+`density`, `densities`, ``spectrum`` and ``joined_psd`` all hold C_iso in nm⁴ (`surfaces.spectrum`).
+"""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -134,9 +137,12 @@ def sample_spectra(
             for properties in zip(scans, measured.radii, measured.bands, strict=True)
         ]
         reliable = _reliable_mask(measured.densities, bands)
+        # A blunt tip may leave too few bins: then the sampled tips limit no scan of this sample.
         if reliable.any(axis=0).sum() < MIN_BINS:
             reliable = _reliable_mask(measured.densities, measured.bands)
         log_power_factors = CALIBRATION_SCATTER * rng.standard_normal(len(bands))
+        # The mean calibration error scales the whole spectrum, so it is applied after the
+        # extrapolation.
         mean_log = log_power_factors.mean()
         densities = measured.densities * np.exp(log_power_factors - mean_log)[:, None]
         bins = mean_bins(reliable, densities, measured.modes)
@@ -171,15 +177,18 @@ def _extrapolate_curve(
     curve: Curve,
     hurst: HurstFit,
     rolloff_evidence: RolloffEvidence,
-    probability: float = 0.5,
+    rolloff_probability: float = 0.5,
     hurst_deviation: float = 0.0,
 ) -> tuple[Floats, Tail, float]:
-    """Return C_iso (nm⁴) on WAVEVECTORS, extrapolated from a curve, its tail and roll-off (nm)."""
+    """Return C_iso (nm⁴) on WAVEVECTORS, extrapolated from a curve, its tail and roll-off (nm).
+
+    The roll-off is the quantile of its distribution at `rolloff_probability`.
+    """
     density, tail = extrapolate_short_waves(curve.wavevector, curve.density, hurst, hurst_deviation)
     slopes, _ = local_slopes(*curve)
     slope = float(slopes[0])
     longest = float(2 * np.pi / curve.wavevector[0])
-    rolloff = rolloff_evidence.rolloff_quantile(density, longest, slope, probability)
+    rolloff = rolloff_evidence.rolloff_quantile(density, longest, slope, rolloff_probability)
     return extrapolate_long_waves(density, longest, slope, rolloff), tail, rolloff
 
 

@@ -104,20 +104,20 @@ def local_slopes(wavevector: Floats, density: Floats, variance: Floats) -> tuple
     return slope, np.where(has_enough, 1 / np.sqrt(spread), np.inf)
 
 
-def isotropic_from_profile(wavevector: Floats, profile: Floats, modes: Floats) -> Floats:
+def isotropic_from_profile(wavevector: Floats, profile_density: Floats, modes: Floats) -> Floats:
     """Return C_iso (bins,) in nm⁴ of a surface whose profiles have a measured C_1D (bins,) in nm³.
 
     The ratio C_iso/C_1D comes from the smoothed, falling spectrum, so that the scatter of C_1D is
     neither enlarged nor made negative. Empty bins are NaN.
     """
-    finite = np.isfinite(profile)
+    finite = np.isfinite(profile_density)
     if finite.sum() < 2:
-        return np.full(profile.shape, np.nan)
-    log_q = np.log(wavevector[finite])
-    smooth, last_slope = _smooth_falling_spectrum(log_q, np.log(profile[finite]), modes[finite])
-    density = np.full(profile.shape, np.nan)
+        return np.full(profile_density.shape, np.nan)
+    log_q, log_density = np.log(wavevector[finite]), np.log(profile_density[finite])
+    smooth, last_slope = _smooth_falling_spectrum(log_q, log_density, modes[finite])
+    density = np.full(profile_density.shape, np.nan)
     ratio = _inverse_abel(log_q, smooth, min(last_slope, FLATTEST_PROFILE_SLOPE)) / np.exp(smooth)
-    density[finite] = profile[finite] * ratio
+    density[finite] = profile_density[finite] * ratio
     return density
 
 
@@ -144,8 +144,8 @@ def _inverse_abel(log_q: Floats, log_density: Floats, last_slope: float) -> Floa
     slopes = np.append(np.diff(log_density) / np.diff(log_q), last_slope)
     segment = np.clip(np.searchsorted(log_q, log_p, side="right") - 1, 0, len(log_q) - 1)
     slope = slopes[segment]
-    profile = np.exp(log_density[segment] + slope * (log_p - log_q[segment]))
+    profile_density = np.exp(log_density[segment] + slope * (log_p - log_q[segment]))
     # C_iso(q) = -2 ∫_q^∞ C_1D'(p) / sqrt(p² - q²) dp with dp / sqrt(p² - q²) = du, and with
     # C_1D' = slope C_1D / p.
-    integrand = -slope * profile / np.exp(log_p)
+    integrand = -slope * profile_density / np.exp(log_p)
     return np.asarray(2 * np.trapezoid(integrand, INTEGRATION_POINTS, axis=1))

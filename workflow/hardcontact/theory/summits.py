@@ -31,8 +31,8 @@ DISTANCE_COUNT = 120
 LEVELS = np.linspace(-6, 8, 701)
 #: If more summits fill the area in contact, their total area counts as normally distributed.
 MAX_POISSON_SUMMITS = 50.0
-#: Below this probability, one minus its complement has too few digits.
-MIN_COMPLEMENT = 1e-3
+#: Smallest probability computed as one minus its complement: smaller differences have few digits.
+MIN_SUBTRACTED_PROBABILITY = 1e-3
 #: Logarithm of a probability that is lost when it is added to one: e^-45 is 3e-20.
 LOG_NEGLIGIBLE_PROBABILITY = -45.0
 #: Summits at lower levels have the width of summits at this level, because such low points form no
@@ -77,6 +77,8 @@ def find_rough_spectrum(spectrum: Spectrum, radius: float) -> Spectrum | None:
         return None
     q = resampled.wavevector
     step = np.log(q[1] / q[0])
+    # The mean square of the Laplacian is the integral of q^6 C/(2 pi) over ln q. The mean curvature
+    # is half the Laplacian.
     curvature = np.sqrt(np.cumsum(resampled.density * q**6) * step / (2 * np.pi)) / 2
     not_followed = np.flatnonzero(curvature > MAX_FOLLOWED_CURVATURE / radius)
     return spectrum_between(spectrum, q[not_followed[0]], np.inf) if len(not_followed) else None
@@ -98,7 +100,8 @@ def summit_half_width(spectrum: Spectrum, levels: ArrayLike) -> Floats:
 def apex_distribution(spectrum: Spectrum, radius: float, area: float) -> ApexDistribution:
     """Return the distribution of the level of the apex of a sphere with an area (nm²) in contact.
 
-    The sphere sinks until the summits above it fill the area, preload over hardness.
+    The sphere sinks until the summits above it, as in `summits_above`, fill the area: preload over
+    hardness.
     """
     half_widths, counts, bearing_areas = summits_above(spectrum, radius)
     # No summit rises above the last level, so pi delta² stands for the mean area of a summit there.
@@ -115,7 +118,8 @@ def apex_distribution(spectrum: Spectrum, radius: float, area: float) -> ApexDis
 def summits_above(spectrum: Spectrum, radius: float) -> tuple[Floats, Floats, Floats]:
     """Return half-width, mean number and mean total area of summits above a sphere at LEVELS: (n,).
 
-    Number and area (nm²) are Lambda and B in theory.md.
+    These summits rise above the lower side of the sphere, whose apex is at the level. Number and
+    area (nm²) are Lambda and B in theory.md.
     """
     half_widths = summit_half_width(spectrum, LEVELS)
     share_above = special.ndtr(-LEVELS)
@@ -133,8 +137,8 @@ def search_size(spectrum: Spectrum, radius: float, area: float) -> float:
 
     At the distance r from the apex the sphere is r²/2R higher, and heights above it are rarer by
     exp(-t r²/(2 R sigma)). Touching points therefore have the rms distance sqrt(2 R sigma/t), half
-    the width. The level t of the apex is at least 1. The width is 0 if the sphere follows the
-    surface.
+    the width. A mean level t of the apex below 1 counts as 1, because the width would grow without
+    bound at level 0. The width is 0 if the sphere follows the surface.
     """
     rough_spectrum = find_rough_spectrum(spectrum, radius)
     if rough_spectrum is None:
@@ -162,7 +166,7 @@ def _probability_of_smaller_area(summit_counts: Floats, area_ratio: Floats) -> F
     # The sum over i in theory.md is a noncentral chi-squared distribution of 2 degrees of freedom.
     # Its small probabilities lack digits. They are summed below, because their forces may be huge.
     probability[is_few] = 1 - special.chndtr(2 * summit_counts[is_few], 2, 2 * area_ratio[is_few])
-    is_rare = is_few & (probability < MIN_COMPLEMENT)
+    is_rare = is_few & (probability < MIN_SUBTRACTED_PROBABILITY)
     if is_rare.any():
         means, ratios = summit_counts[is_rare], area_ratio[is_rare]
         largest = ratios.max()

@@ -173,6 +173,7 @@ def _judge(
         verdict = accepted.verdict(value, low, high)
     open_end = ""
     if claim.dataset == "edges" and claim.unit == "nm":  # an edge of the band
+        # Labels are groups of lists: this is the only label of the only group.
         ((side,),) = result.labels["side"]
         open_end = find_open_end(side, value, low, high, [result.datasets["edges"], sets])
     return {
@@ -191,6 +192,7 @@ def _claim_samples(claim: Claim, result: _ClaimResult, sets: xr.Dataset) -> Floa
     """Return the samples of a claim's value, from sets or from the posterior; empty if none."""
     if claim.samples_from == "posterior":
         posterior = next(iter(result.datasets.values()))
+        # Each dimension has one group of one label.
         labels = {dimension: label for dimension, ((label,),) in result.labels.items()}
         return np.asarray(posterior[f"sampled_{claim.quantity}"].sel(labels))
     if claim.samples_from != "sets":

@@ -1,7 +1,7 @@
 """Verdicts about claims: from a number, its interval and the published limits.
 
-If many sets of scans have the number, the count of sets that agree decides. The claims.csv of a
-study has the verdicts.
+If the number was computed on many sets (other random choices of scans), the count of sets that
+agree decides. The claims.csv of a study has the verdicts.
 """
 
 import re
@@ -28,7 +28,8 @@ EXPERIMENT = "model beside experiment"
 VERDICTS = (REPRODUCED, AGREES, UNDECIDED, NOT_REPRODUCED, BY_CONSTRUCTION, UNTESTABLE, EXPERIMENT)
 
 #: Rules with a single limit. They reject the limit itself; the other rules accept their limits.
-#: `order` has the limit of `above`, and says that the number is the smallest ratio in a chain.
+#: `order` is judged like `above`. Its number is the smallest ratio of neighbours in a published
+#: ranking, so above 1 means the ranking holds.
 ONE_SIDED = ("below", "above", "order")
 #: Share of all possible sets that must agree with a statement, or disagree, and share of the
 #: posterior that must agree: the usual confidence.
@@ -180,20 +181,20 @@ def read_judged_claims(path: str | Path) -> pd.DataFrame:
 
 
 def find_open_end(
-    side: str, value: float, low: float, high: float, bands: Sequence[xr.Dataset]
+    side: str, value: float, low: float, high: float, edge_datasets: Sequence[xr.Dataset]
 ) -> str:
     """Return which end of the interval of an edge (nm) is only a bound.
 
-    `bands` are the datasets, edges.nc and sets.nc, whose cutoffs may bound the edge. The end is
-    ``"high"`` for a short edge, ``"low"`` for a long edge, and ``""`` if it does not reach the last
-    cutoff of any dataset. A value beyond the last cutoff is a bound, too, so an interval that
-    `stretch_interval` has extended to the value is open.
+    The search for the edge on the ``"short"`` side goes from short to long cutoffs, so only the
+    ``"high"`` end may be open; on the ``"long"`` side only the ``"low"`` end. Returns ``""`` if
+    this end does not reach the last cutoff of any dataset, edges.nc or sets.nc. A value beyond the
+    last cutoff is a bound, too, so an interval that `stretch_interval` has extended to it is open.
     """
-    end, limit, sign = ("high", high, 1) if side == "short" else ("low", low, -1)
-    last_cutoffs = np.array(
-        [last_cutoff(band["filtered_force_change"].sel(side=side), side) for band in bands]
-    )
-    is_beyond = (sign * value >= sign * last_cutoffs).any()
+    is_short = side == "short"
+    end, limit = ("high", high) if is_short else ("low", low)
+    changes = [edges["filtered_force_change"].sel(side=side) for edges in edge_datasets]
+    last_cutoffs = np.array([last_cutoff(change, side) for change in changes])
+    is_beyond = (value >= last_cutoffs if is_short else value <= last_cutoffs).any()
     is_open = np.isclose(limit, last_cutoffs).any() or (is_beyond and np.isclose(limit, value))
     return end if is_open else ""
 

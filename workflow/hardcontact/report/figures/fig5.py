@@ -12,23 +12,23 @@ from matplotlib.figure import Figure
 from hardcontact.report.figures import drawing, panels, style
 
 LINE_COLOURS = {"x": "#B2182B", "y": "#053061"}  # red and blue as in the paper; no surface has them
-BEFORE = "0.5"
-#: Colours of depths, and of preloads, because black is for published values.
+COLOUR_BEFORE = "0.5"  # grey: the sphere before contact
+#: Shades of depths and, because black is for published values, also of preloads.
 DEPTH_COLOURS = mpl.colormaps["Purples"]
-PRELOAD_LINES = ("-", "-.", ":")  # dashed lines are published
-SIZES = {  # title, axis, published constant
+PRELOAD_STYLES = ("-", "-.", ":")  # dashed lines are published
+SIZES = {  # title, axis label, name of the published constant
     "depth": ("deepest point", "depth (nm)", "indent_depth"),
     "equal_area_side": ("largest indent", "side of an equal square (nm)", "indent_edge_length"),
     "longer_side": ("largest indent", "longer side (nm)", "indent_edge_length"),
 }
-PRELOAD = "preload_indentation"  # the published constant
+PUBLISHED_PRELOAD = "preload_indentation"  # name of the published constant
 SHARES = np.linspace(0, 1, 101)  # steps of the distributions
 
 
 def draw(indent: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw Fig. 5: (a) a contact, (b, c) lines through its deepest point, (d-f) all contacts."""
     published = published_constants["value"]
-    contact = indent.sel(preload=published[PRELOAD], method="nearest")
+    contact = indent.sel(preload=published[PUBLISHED_PRELOAD], method="nearest")
     figure, ((indents, *lines), sizes) = drawing.create_rows(
         5.3, indent, row_heights=(1.2, 1), panel_widths=((1.35, 1, 1), (1, 1, 1))
     )
@@ -44,7 +44,7 @@ def draw(indent: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     lines[0].set_ylabel("height (nm)")
     for axes, letter, name in zip(sizes, "def", SIZES, strict=True):
         title, label, constant = SIZES[name]
-        _draw_sizes(axes, indent[name], published[constant], published[PRELOAD])
+        _draw_sizes(axes, indent[name], published[constant], published[PUBLISHED_PRELOAD])
         axes.set_xlabel(label)
         style.label_panel(axes, letter, title)
     sizes[0].set_ylabel("cumulative share of contacts")
@@ -75,13 +75,13 @@ def _draw_line(axes: Axes, contact: xr.Dataset, axis: str) -> None:
     The area between the lines before and after contact is the indent.
     """
     other_axis = "y" if axis == "x" else "x"
-    line = contact.sel({other_axis: 0})
+    line = contact.sel({other_axis: 0})  # x and y are relative to the deepest point
     height_before = -line["sphere_height"]
     height_after = height_before - line["indentation"]
     axes.fill_between(
         line[axis], height_after, height_before, color=LINE_COLOURS[axis], alpha=0.25, lw=0
     )
-    axes.plot(line[axis], height_before, color=BEFORE, ls=":", label="before")
+    axes.plot(line[axis], height_before, color=COLOUR_BEFORE, ls=":", label="before")
     axes.plot(line[axis], height_after, color=LINE_COLOURS[axis], label="after")
     axes.set_xlabel(f"{axis} (nm)")
     axes.locator_params(nbins=5)
@@ -96,7 +96,7 @@ def _draw_sizes(axes: Axes, sizes: xr.DataArray, published: float, preload: floa
     contacts = [dim for dim in sizes.dims if dim != "preload"]
     quantiles = sizes.quantile(SHARES, contacts, method="inverted_cdf").transpose("preload", ...)
     shades = DEPTH_COLOURS(np.linspace(0.5, 0.95, quantiles.sizes["preload"]))
-    for values, colour, dashes in zip(quantiles, shades, cycle(PRELOAD_LINES), strict=False):
+    for values, colour, dashes in zip(quantiles, shades, cycle(PRELOAD_STYLES), strict=False):
         label = f"computed, {_format_preload(values['preload'])}"
         look: style.Look = {"color": colour, "ls": dashes, "drawstyle": "steps-post"}
         axes.plot(values, SHARES, label=label, **look)

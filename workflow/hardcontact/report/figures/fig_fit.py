@@ -91,7 +91,8 @@ def _draw_error_map(axes: Axes, fit: xr.Dataset, published_constants: pd.DataFra
     look: style.Look = {"color": "white", "ms": 2, "alpha": 0.6, "mew": 0, "rasterized": True}
     axes.plot(fit["sampled_range"], fit["sampled_work"] / style.MILLIJOULE, ".", **look)
     _mark_published_fit(axes, published_constants)
-    axes.legend(loc="lower left", **ON_MAP)  # panel a names the marks of the fit
+    # The legend is made before the minima are marked, because panel a names these marks.
+    axes.legend(loc="lower left", **ON_MAP)
     _mark_minima(axes, fit, "work", style.MILLIJOULE)
     axes.set(xscale="log", yscale="log", ylabel="work of adhesion $W$ (mJ/m²)")
     published_work = published_constants["value"]["work_of_adhesion"] / style.MILLIJOULE
