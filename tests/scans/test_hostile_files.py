@@ -147,9 +147,9 @@ HOSTILE = {
         "none of its readers takes",
     ),
     "pixels": (hdf5(too_many_pixels, True), "16 to 8192 pixels per row"),
-    "external storage": (hdf5(external_storage, False), "states the physical size"),
+    "external storage": (hdf5(external_storage, False), "unable to open external raw data file"),
     "external link in a container": (hdf5(external_link, True), "none of its readers takes"),
-    "virtual data": (hdf5(virtual, False), "states the physical size"),
+    "virtual data": (hdf5(virtual, False), "a readable scan"),
     "many scans": (
         listing(json.dumps({"surfaces": [{"topographies": MANY}]})), "at most 1000 scans",
     ),
@@ -174,7 +174,8 @@ HOSTILE = {
 
 def read_all(path):
     for dataset in reading.list_scans(path):
-        reading.read_scan(path, dataset)
+        # Unit and size are given, so that no file is refused for lack of them.
+        reading.read_scan(path, dataset, unit="nm", map_size=320.0)
 
 
 @pytest.fixture
