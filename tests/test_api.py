@@ -14,6 +14,7 @@ import matplotlib
 import numpy as np
 import pytest
 import scan_files
+import xarray as xr
 from direct_sum import direct_force, gap_to_sphere, mirror
 from known_spectra import self_affine_spectrum
 from measurements import random_map
@@ -152,6 +153,13 @@ def test_forces_are_the_direct_sum_over_every_pixel(files):
             force = forces.pull_off_force.sel(contact_model=model, rho=rho)[i, j].item()
             assert force == pytest.approx(direct_sum, rel=1e-6)
     assert forces.pull_off_force.units == "N" and forces.work_of_adhesion == work
+
+
+@pytest.mark.parametrize("rho", [np.int64(5), np.float64(5), np.float32(5)])
+def test_a_range_may_be_a_scalar_of_numpy(rho, files):
+    scan = hc.read_scan("scan.nc")
+    forces_at = partial(hc.pull_off_forces, scan, work=0.05, **SPHERE, **LOAD, **ARRAY)
+    xr.testing.assert_identical(forces_at(rho=rho), forces_at(rho=5.0))
 
 
 def test_plots_show_the_heights_and_densities(files):

@@ -44,6 +44,7 @@ def test_each_wave_is_in_one_octave_with_its_shorter_limit():
     limits = [80.0, 160.0, 320.0, 640.0, 1280.0, 2560.0]
     waves = np.array([octave.heights for octave in split_octaves(surface, limits)])
     rms = waves.std(axis=(1, 2))
+    # The squares 1/2 of 160 and 256 nm add up in the second octave; 1280 nm is alone in the last.
     np.testing.assert_allclose(rms, [0, 1, 0, 0, np.sqrt(0.5)], atol=1e-6)
     np.testing.assert_allclose(waves.sum(axis=0), surface.heights, atol=1e-5)
 
@@ -60,16 +61,18 @@ def test_the_sensitivity_of_a_power_is_its_exponent():
     ]
     forces = xr.concat(maps, "map").assign_attrs(map_size=2560.0)
     result = octave_sensitivities(forces, WHOLE_PARTS, 0.95)
+    # The difference of logarithms is ln((1 + step)/(1 - step)) = 2 arctanh(step), over 2 steps.
     exponent = -1.5 * np.arctanh(AMPLITUDE_STEP) / AMPLITUDE_STEP
     np.testing.assert_allclose(result.octave_sensitivity, [0.0, exponent], atol=1e-6)
     assert result.octave.values.tolist() == [80.0, 160.0]
 
 
 def test_intervals_of_few_skewed_contacts_contain_the_sensitivity_with_their_confidence():
-    # The 64 contacts of a quick study on one scan. Each octave is another draw of their forces.
+    # The 64 contacts of a study of own scans at quick effort; each octave is another draw.
     rng = np.random.default_rng(3)
     draws, contacts, sensitivity = 3000, (8, 8), -0.5
     force = np.exp(0.4 * rng.standard_normal((draws, 1, *contacts)))
+    # The mean of the exponential distribution is 1, so the expected sensitivity is -0.5.
     single_sensitivity = sensitivity + 1 - rng.exponential(size=force.shape)
     change = np.array([-AMPLITUDE_STEP, AMPLITUDE_STEP])[:, None, None]
     axes = ("map", "octave", "factor", "contact_y", "contact_x")
@@ -78,7 +81,7 @@ def test_intervals_of_few_skewed_contacts_contain_the_sensitivity_with_their_con
         {"octave": np.arange(draws), "factor": list(AMPLITUDE_FACTORS)},
         {"map_size": 10_000.0},
     )
-    result = octave_sensitivities(forces, parts_of_maps(forces, 50_000.0, 3.0), 0.95)
+    result = octave_sensitivities(forces, parts_of_maps(forces, radius=50_000.0, rho=3.0), 0.95)
     interval = result.octave_sensitivity_interval
     is_inside = (interval.sel(end="low") < sensitivity) & (sensitivity < interval.sel(end="high"))
     assert float(is_inside.mean()) == pytest.approx(0.95, abs=0.02)

@@ -24,7 +24,7 @@ def rules_of(output):
 # Rules that a change repeats
 
 PAGE = {"answer_surfaces", "describe_study"}
-EDGES = {"find_edges_of_scans", "compute_force_at_pair"}
+EDGES = {"find_edges_of_scans", "compute_force_dataset"}
 FORCES = {"compute_pull_off", "aggregate_adhesion", "fit_measured"} | EDGES
 OCTAVES = {"compute_octave_forces", "aggregate_sensitivity"}
 HINDCAST = {"compute_hindcast_forces", "aggregate_hindcast"} | EDGES
@@ -35,14 +35,14 @@ SPECTRA = {
     "combine_spectra", "combine_sampled_spectra",
 }  # fmt: skip
 #: The table of roughness of all surfaces, and its readers.
-TOPOGRAPHY = {"aggregate_topography", "compute_force_at_pair", "fit_measured"}
+TOPOGRAPHY = {"aggregate_topography", "compute_force_dataset", "fit_measured"}
 SCANS = {"prepare_scan", "combine_scans"} | TOPOGRAPHY
 
 
 COLUMN = {"read_scan"} | SCANS | SPECTRA | FORCES | OCTAVES | HINDCAST | MASTERS
 #: An overlay, and the rules that depend on what it changes besides PAGE.
 CHANGES = [
-    ({"adhesion": {"work": "60 mJ/m2"}}, {"compute_force_at_pair", "fit_measured"}),
+    ({"adhesion": {"work": "60 mJ/m2"}}, {"compute_force_dataset", "fit_measured"}),
     ({"scan": {"levelling": "lines"}}, SCANS | SPECTRA | FORCES | OCTAVES | HINDCAST | MASTERS),
     ({"contact": {"preload": "20 uN"}}, FORCES | OCTAVES | HINDCAST | FILTERED),
     ({"surfaces": "changed.tsv"}, COLUMN),

@@ -2,8 +2,9 @@
 
 They compute as the study and its commands do. Lengths and heights are in nm, wavevectors in rad/nm,
 forces in N, works of adhesion in J/m², pressures in Pa. Each function raises ValueError if its
-input is invalid, with one line for each fault. Functions of a contact warn if one of its quantities
-is unusual, because the unit may be wrong.
+input is invalid, with one line for each fault; only `metrics` and `measured_psds` do not check
+their map. Functions of a contact warn if one of its quantities is unusual, because the unit may be
+wrong.
 """
 
 from collections.abc import Mapping, Sequence
@@ -82,9 +83,9 @@ def read_scan(
         harmonic function.
     unit : str
         Unit of length if the file states none, such as ``"nm"``. ``"mm,nm"`` is a unit for
-        positions and another one for heights.
-    map_size : float or str
-        Longer side of the map in nm if the file states none.
+        positions and another one for heights. ``"none"`` means that the file states the unit.
+    map_size : float or "none"
+        Longer side of the map in nm. ``"none"`` means that the file states it.
     mask : str
         Whether to ``"keep"`` or to ``"exclude"`` the heights under a mask in a file of Gwyddion.
     levelling : str
@@ -189,7 +190,7 @@ def read_spectrum(
     tip_radius : float or None
         Radius of the tip in nm if the files do not state it. None stands for an unknown radius.
     undefined_pixels, unit, map_size, mask, levelling, sphere_radius : str, float or None
-        As for `read_scan`.
+        As for `read_scan`: ``unit`` and ``map_size`` may be ``"none"``.
     extrapolated : bool
         Whether to extrapolate the spectrum of scans beyond their reliable wavelengths, as a study
         does. Long waves are added up to a roll-off, short waves with the Hurst exponent of the
@@ -278,14 +279,14 @@ def pull_off_forces(
     quantities: dict[str, Any] = {"radius": radius, "preload": preload, "hardness": hardness}
     check_quantities(**quantities, work=work)
     contact = Contact(**quantities, window=window, contacts_per_row=contacts_per_row)
-    ranges = [rho] if isinstance(rho, int | float) else rho
+    ranges: Any = [rho] if np.isscalar(rho) else rho
     check_positive_numbers("rho", ranges)
+    ranges = [float(rho_value) for rho_value in ranges]
     surface, rough_sphere = _periodic_maps(scan, sphere, contact, ranges)
     bodies = join_bodies(surface, rough_sphere, contact)
-    longest_range_contact = replace(contact, rho=max(ranges))
     forces = pull_off_dataset(bodies, contact, ranges)
     plastic_forces = forces.pull_off_force.sel(contact_model=[PLASTIC], rho=max(ranges))
-    window_change = wider_window_change([bodies], longest_range_contact, plastic_forces)
+    window_change = wider_window_change([bodies], replace(contact, rho=max(ranges)), plastic_forces)
     force = forces.pull_off_force * (work / WORK_OF_ADHESION)
     force.attrs = NEWTON | {"long_name": "pull-off force"}
     variables = {"pull_off_force": force, "wider_window_change": ((), window_change, DIMENSIONLESS)}
@@ -419,10 +420,13 @@ def predict(
           ``weibull_modulus`` is above 1 if many points carry the force, below 1 if few summits do.
         - Spectrum: ``rms_height``, ``rms_gradient``, ``shortest_wavelength`` and
           ``longest_wavelength``.
-        - Checks whether the error is known: ``longest_octave_change``, ``widest_gap``,
-          ``skewness`` and ``validated_...``. For an extrapolated spectrum of scans there is also
-          ``reliable_force``, the force of its reliable waves. If its status is ``"outside"``, the
-          checks of the spectrum without ``extrapolated`` say why.
+        - Checks whether the error is known: ``longest_octave_change``, the relative change of the
+          force without the longest octave; ``widest_gap``, the largest ratio of neighbouring
+          wavelengths; ``skewness`` of the heights of scans, 0 for a table;
+          ``validated_...``, a parameter, with the tested values as its interval.
+        - ``reliable_force``, for an extrapolated spectrum of scans: the force of its reliable
+          waves. If its status is ``"outside"``, call `predict` with the spectrum that is not
+          extrapolated: its checks say why.
 
         For a map there are also
 

@@ -32,8 +32,8 @@ rule synthesize_masters:
         "../scripts/synthesize_masters.py"
 
 
-# The band, its sampled spectra, the sets, the exponents and the shifts of edges have masters of their
-# own. Each is a purpose of `PURPOSES` in files/settings.py.
+# The band, its sampled spectra and the sets, three of `PURPOSES` in files/settings.py, have masters of
+# their own. The other purposes, `exponents` and `edge_shifts`, share the first masters of the sets.
 rule compute_filtered_forces:
     """Compute the forces on masters of a purpose, unfiltered and without waves beyond each cutoff."""
     input:

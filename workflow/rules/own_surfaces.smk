@@ -72,7 +72,7 @@ rule find_edges_of_scans:
         "../scripts/find_edges_of_scans.py"
 
 
-rule compute_force_at_pair:
+rule compute_force_dataset:
     """Compute forces at one work, at one range also with extrapolated roughness: force.nc."""
     input:
         adhesion=RESULTS.dataset("adhesion"),
@@ -89,7 +89,7 @@ rule compute_force_at_pair:
             **MASTER_PARAMETERS,
         ),
     script:
-        "../scripts/compute_force_at_pair.py"
+        "../scripts/compute_force_dataset.py"
 
 
 if HAS_FORCES:

@@ -1,4 +1,7 @@
-"""Forces on whole substitute surfaces: at all ranges, and with each octave changed."""
+"""Forces on whole substitute surfaces: at several ranges, and with each octave changed.
+
+The ranges are those from SHORTEST_WHOLE_RANGE on; outside the paper's study, that of the study.
+"""
 
 from hardcontact.base.dataset import stack
 from hardcontact.base.progress import progress

@@ -10,7 +10,6 @@ from typing import Any
 
 from hardcontact.base.atomic_file import write_text_file
 from hardcontact.commands.inventory import UserScan, read_inventory, scans_by_surface
-from hardcontact.commands.new_report import report_lines
 from hardcontact.commands.options import (
     QuantityOption,
     contact_of_quantities,
@@ -19,6 +18,7 @@ from hardcontact.commands.options import (
     unit_questions,
 )
 from hardcontact.commands.proposal import Choice, Proposal, propose_keys
+from hardcontact.commands.report_of_new import report_lines
 from hardcontact.commands.request import SPHERE, list_scan_files, name_faults, path_from_root
 from hardcontact.commands.scan_cautions import refuse_unreliable
 from hardcontact.config.configuration import (

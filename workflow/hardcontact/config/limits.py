@@ -33,14 +33,16 @@ MAX_MAP_PIXELS = 16384
 #: Width of the periodic random surface from which a substitute is cut, in widths of the substitute.
 #: A real scan has waves longer than itself and does not continue at its borders; a larger surface
 #: would imitate this better, but takes more memory.
-RANDOM_SURFACE_OVER_SCAN = 4
+RANDOM_SURFACE_WIDTH_RATIO = 4
+#: Largest share of the pixels around a contact that touch: most must attract across a gap.
+MAX_CONTACT_SHARE = 1 / 4
 #: Largest number of contact pixels of all contacts on a scan, with their images in the window. All
 #: are in memory at once, some 24 bytes each, 1.6 GB together.
 MAX_CONTACT_PIXELS = 2**26
 #: Bytes per pixel of a master when most memory is used: three maps in float32, or one map's
 #: transform in single precision and two maps. 13.2 were measured at 8192², and writing the file may
 #: need another map.
-BYTES_A_PIXEL = 17.0
+BYTES_PER_PIXEL = 17.0
 #: Megabytes of Python, its packages, the scan, and blocks of rows in double precision.
 BASE_MEGABYTES = 500
 #: Megabytes of a job on small masters, with Snakemake beside it.
@@ -49,7 +51,7 @@ MINIMUM_MEGABYTES = 3000
 
 def random_surface_pixels(pixels: int) -> int:
     """Return the pixels per row of the random surface from which a substitute is cut."""
-    return min(RANDOM_SURFACE_OVER_SCAN * pixels, MAX_MAP_PIXELS)
+    return min(RANDOM_SURFACE_WIDTH_RATIO * pixels, MAX_MAP_PIXELS)
 
 
 def same_pixels(extent: Extent, reference: Extent) -> bool:
@@ -60,16 +62,16 @@ def same_pixels(extent: Extent, reference: Extent) -> bool:
 
 def master_megabytes(pixels: int) -> int:
     """Return the memory (10^6 bytes) of a job on a master with these pixels per row."""
-    return max(MINIMUM_MEGABYTES, BASE_MEGABYTES + math.ceil(BYTES_A_PIXEL * pixels**2 / 1e6))
+    return max(MINIMUM_MEGABYTES, BASE_MEGABYTES + math.ceil(BYTES_PER_PIXEL * pixels**2 / 1e6))
 
 
 class NamedContact(NamedTuple):
-    """A contact, and the names of three of its fields in messages."""
+    """A contact, and the configuration keys of three fields, or their arguments in the API."""
 
     contact: Contact
-    load_name: str = "contact.preload"
-    count_name: str = "contact.contacts_per_row"
-    range_name: str = "adhesion.ranges"
+    preload_key: str = "contact.preload"
+    count_key: str = "contact.contacts_per_row"
+    rho_key: str = "adhesion.ranges"
     prefix: str = "config key "  #: Begins messages, before the name.
 
 
@@ -77,7 +79,7 @@ def study_contacts(study: dict[str, Any]) -> dict[str, NamedContact]:
     """Return, by stage of a study, the contact that pixels and memory limit most."""
     contact = study_contact(study)
     scan_contact = NamedContact(replace(contact, rho=study["adhesion"]["ranges"][0]))
-    master_contact = NamedContact(contact, range_name="adhesion.range")
+    master_contact = NamedContact(contact, rho_key="adhesion.range")
     if not is_paper_study(study):
         return {"scans": scan_contact, "band": master_contact}
     indent = replace(scan_contact.contact, preload=study["indent"]["preloads"][-1])
@@ -86,9 +88,9 @@ def study_contacts(study: dict[str, Any]) -> dict[str, NamedContact]:
     set_contact = replace(contact, radius=radius, contacts_per_row=contacts_per_row)
     return {
         "scans": scan_contact,
-        "indents": scan_contact._replace(contact=indent, load_name="indent.preloads"),
+        "indents": scan_contact._replace(contact=indent, preload_key="indent.preloads"),
         "band": master_contact,
-        "sets": master_contact._replace(contact=set_contact, count_name="sets.contacts_per_row"),
+        "sets": master_contact._replace(contact=set_contact, count_key="sets.contacts_per_row"),
     }
 
 
@@ -113,20 +115,19 @@ def refuse_unfit_values(study: dict[str, Any], extents: Mapping[str, Extent]) ->
 
 def contact_faults(named_contact: NamedContact, surface: str, extent: Extent) -> Iterator[str]:
     """Yield the faults of a contact on a scan: load, number of contacts and range of adhesion."""
-    contact, load_name, count_name, range_name, prefix = named_contact
+    contact, preload_key, count_key, rho_key, prefix = named_contact
     row_pixels = 2 * extent.pixels
     seen_pixels = min(count_window_pixels(contact.window, extent.pixel_size), row_pixels) ** 2
+    max_pixels = int(MAX_CONTACT_SHARE * seen_pixels)
     reason = f"which a quarter of the {seen_pixels} pixels of {surface} can carry"
-    yield from _load_faults(
-        prefix + load_name, contact, seen_pixels // 4, extent.pixel_size, reason
-    )
+    yield from _load_faults(prefix + preload_key, contact, max_pixels, extent.pixel_size, reason)
     if contact.contacts_per_row > row_pixels:
         accepted = f"at most the {row_pixels} pixels along the mirrored scan of {surface}"
-        yield f"{prefix}{count_name}: expected {accepted}, found {contact.contacts_per_row}"
+        yield f"{prefix}{count_key}: expected {accepted}, found {contact.contacts_per_row}"
     min_rho, reason = minimum_range(contact.radius, contact.window, extent)
     if contact.rho < min_rho:
         accepted = f"at least {min_rho:g} nm on {surface}, where {reason}"
-        yield f"{prefix}{range_name}: expected {accepted}, found {contact.rho:.4g} nm"
+        yield f"{prefix}{rho_key}: expected {accepted}, found {contact.rho:.4g} nm"
 
 
 def _scan_faults(study: dict[str, Any], surface: str, extent: Extent) -> Iterator[str]:
@@ -136,8 +137,8 @@ def _scan_faults(study: dict[str, Any], surface: str, extent: Extent) -> Iterato
     if is_sphere and radius < extent.size:
         accepted = f"at least the size of its scans ({extent.size:.6g} nm)"
         yield key_fault("sphere.radius", accepted, f"{radius:.6g} nm")
-    # Half of a long-edge master, the widest map, as a scan is half of its mirrored map. Artificial
-    # pixels do not limit ranges.
+    # `Extent` has the width before mirroring, so a long-edge master counts with half its width. Its
+    # pixel size stays that of the scan.
     master_extent = extent._replace(size=extent.size * study["band"]["long"]["tiles"])
     for stage, named_contact in study_contacts(study).items():
         uses_masters = stage in ("band", "sets") and not is_sphere
@@ -164,13 +165,13 @@ def _body_faults(
         if pixels < 2:
             accepted = f"at least 2 contact pixels of {pixel_size:.4g} nm at the largest"
             yield key_fault("indent.preloads", accepted, pixels)
-    contact, load_name, _, range_name, _ = contacts["band"]
+    contact, preload_key, _, rho_key, _ = contacts["band"]
     depth = penetration_depth(contact, extent.relief)
     min_rho = depth / PENETRATION_OVER_RANGE
     if contact.rho < min_rho:
-        pressed = f"{load_name} presses the bodies some {depth:.3g} nm into each other"
+        pressed = f"{preload_key} presses the bodies some {depth:.3g} nm into each other"
         accepted = f"at least {min_rho:.3g} nm, as {pressed}"
-        yield key_fault(range_name, accepted, f"{contact.rho:.4g} nm")
+        yield key_fault(rho_key, accepted, f"{contact.rho:.4g} nm")
 
 
 def _master_faults(
@@ -216,13 +217,13 @@ def _memory_faults(
     named_contact: NamedContact, surface: str, pixel_size: float, periods: float
 ) -> Iterator[str]:
     """Yield the fault of a load whose contact pixels, each `periods` times, exceed the memory."""
-    contact, load_name, count_name, _, prefix = named_contact
+    contact, preload_key, count_key, _, prefix = named_contact
     reason = (
         f"with which the contact pixels of {pixel_size:.4g} nm on {surface} fit into memory at "
-        f"{count_name} = {contact.contacts_per_row} and contact.window = {contact.window:.6g} nm"
+        f"{count_key} = {contact.contacts_per_row} and contact.window = {contact.window:.6g} nm"
     )
     available_pixels = int(MAX_CONTACT_PIXELS / contact.contacts_per_row**2 / periods)
-    yield from _load_faults(prefix + load_name, contact, available_pixels, pixel_size, reason)
+    yield from _load_faults(prefix + preload_key, contact, available_pixels, pixel_size, reason)
 
 
 def _load_faults(

@@ -47,7 +47,9 @@ class Purpose(NamedTuple):
     masters_are_files: bool = False  #: Whether masters are files of the store.
     samples_spectra: bool = False  #: Whether each master has a sampled spectrum.
     rough_sphere: bool = True  #: Whether a study with a rough sphere uses it here.
-    stream: str = "variant"  #: Name of the random numbers in masters.
+    #: Name of the random numbers in masters: "variant", an old name, of the masters of the sets, of
+    #: which `exponents` and `edge_shifts` use the first; "master" of those of the band.
+    stream: str = "variant"
     sides: Sequence[str] = SIDES
     radii_key: str = "sphere.radius"  #: Key of the radius of the sphere, or of several radii.
     preload_shares: Sequence[float] = (1,)  #: Loads, relative to the preload of the study.

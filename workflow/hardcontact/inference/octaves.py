@@ -77,7 +77,7 @@ def octave_force_dataset(
 
 
 def whole_surface_forces(surface: HeightMap, contact: Contact, ranges: list[float]) -> xr.Dataset:
-    """Return `octave_force_dataset` of a surface, and its mean ``pull_off_force`` at all ranges."""
+    """Return `octave_force_dataset` of a surface, and its mean ``pull_off_force`` at each range."""
     # The octave that holds the longest wave, the size of the surface, ends within twice the size.
     limits = octave_limits(2 * surface.pixel_size, 2 * surface.size)
     pull_off = pull_off_dataset(join_bodies(surface, None, contact), contact, ranges)

@@ -71,7 +71,8 @@ def read_spectrum_table(path: str | Path) -> Spectrum:
         raise ValueError(f"{path}: expected at least {MIN_WAVELENGTHS} wavelengths, found {count}")
     wavevectors, densities = np.array(sorted(points.values())).T
     if density_column == "c_1d":
-        # A table does not state the modes of a bin: enough for the usual width of smoothing.
+        # A table does not say how many waves each point averages. Assume enough, so that smoothing
+        # has its usual width.
         modes = np.full(densities.shape, ENOUGH_MODES)
         densities = isotropic_from_profile(wavevectors, densities, modes)
     return Spectrum(wavevectors, densities)

@@ -25,7 +25,7 @@ from hardcontact.surfaces.synthesis import (
     add_sphere_shape,
     sample_scan,
     scan_of_noise,
-    white_noise,
+    white_noise_transform,
 )
 from hardcontact.surfaces.table1_calibration import AFM_ROWS, FIT_TOLERANCES, MET_ERROR
 
@@ -70,9 +70,10 @@ def _multiply_amplitudes(spectrum: SpectrumFunction, amplitude_gain: Floats) -> 
 def _scan_components(substitute: Substitute, shares: Floats, scan_number: int) -> list[HeightMap]:
     """Return the levelled components of a scan, whose heights add up to the scan."""
     grid = substitute.grid
-    noise = white_noise(substitute.generator(scan_number, "scan"), grid.surface_pixels)
+    rng = substitute.generator(scan_number, "scan")
+    transform = white_noise_transform(rng, grid.surface_pixels)
     spectra = [_multiply_amplitudes(substitute.spectrum, share) for share in shares]
-    return [level_plane(scan_of_noise(noise, spectrum, grid)) for spectrum in spectra]
+    return [level_plane(scan_of_noise(transform, spectrum, grid)) for spectrum in spectra]
 
 
 def _metric_matrices(components: Sequence[HeightMap], names: Sequence[str]) -> Floats:

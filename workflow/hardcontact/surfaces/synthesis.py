@@ -30,34 +30,34 @@ class ScanGrid(NamedTuple):
         return self.size / self.pixels
 
 
-def white_noise(rng: np.random.Generator, pixels: int) -> SingleTransform:
+def white_noise_transform(rng: np.random.Generator, pixels: int) -> SingleTransform:
     """Return the transform (pixels, pixels/2 + 1) of white noise of unit variance, in complex64."""
     return np.asarray(scipy.fft.rfft2(rng.standard_normal((pixels, pixels), dtype=np.float32)))
 
 
-def _scale_noise(noise: SingleTransform, pixel_size: float, spectrum: SpectrumFunction) -> None:
+def _set_psd(transform: SingleTransform, pixel_size: float, spectrum: SpectrumFunction) -> None:
     """Scale the transform of white noise, in place, so that its surface has a spectrum.
 
     White noise of unit variance has C_iso = pixel area. Wavevectors of opposite y have equal C_iso.
     """
-    pixels = len(noise)
+    pixels = len(transform)
     row_count = pixels // 2 + 1  # Other rows have the opposite y.
     q = 2 * np.pi * np.fft.rfftfreq(pixels, pixel_size)
     for start in range(0, row_count, BLOCK_ROWS):
         rows = np.arange(start, min(start + BLOCK_ROWS, row_count))
         amplitudes = np.sqrt(spectrum(np.hypot(q[rows, None], q))) / pixel_size
-        noise[rows] *= amplitudes
+        transform[rows] *= amplitudes
         is_paired = (rows > 0) & (2 * rows < pixels)
-        noise[pixels - rows[is_paired]] *= amplitudes[is_paired]
-    noise[0, 0] = 0
+        transform[pixels - rows[is_paired]] *= amplitudes[is_paired]
+    transform[0, 0] = 0
 
 
 def random_surface(
     rng: np.random.Generator, pixels: int, pixel_size: float, spectrum: SpectrumFunction
 ) -> HeightMap:
     """Return a periodic Gaussian random surface with a spectrum, of mean zero, in float32."""
-    transform = white_noise(rng, pixels)
-    _scale_noise(transform, pixel_size, spectrum)
+    transform = white_noise_transform(rng, pixels)
+    _set_psd(transform, pixel_size, spectrum)
     heights = scipy.fft.irfft2(transform, s=(pixels, pixels), overwrite_x=True)
     return HeightMap(heights, pixel_size, periodic=True, source="substitute")
 
@@ -66,18 +66,18 @@ def sample_scan(
     rng: np.random.Generator, spectrum: SpectrumFunction, grid: ScanGrid, factor: float = 1.0
 ) -> HeightMap:
     """Sample a scan with a spectrum, its heights times a factor."""
-    return scan_of_noise(white_noise(rng, grid.surface_pixels), spectrum, grid, factor)
+    return scan_of_noise(white_noise_transform(rng, grid.surface_pixels), spectrum, grid, factor)
 
 
 def scan_of_noise(
-    noise: SingleTransform, spectrum: SpectrumFunction, grid: ScanGrid, factor: float = 1.0
+    transform: SingleTransform, spectrum: SpectrumFunction, grid: ScanGrid, factor: float = 1.0
 ) -> HeightMap:
     """Return the scan that a transform of white noise makes: the corner of a random surface."""
-    transform = noise.copy()
-    _scale_noise(transform, grid.pixel_size, spectrum)
+    scaled = transform.copy()
+    _set_psd(scaled, grid.pixel_size, spectrum)
     # Only rows of the corner are transformed along x, which saves time.
-    rows = scipy.fft.ifft(transform, axis=0, overwrite_x=True)[: grid.pixels]
-    heights = scipy.fft.irfft(rows, len(noise), axis=1)[:, : grid.pixels]
+    rows = scipy.fft.ifft(scaled, axis=0, overwrite_x=True)[: grid.pixels]
+    heights = scipy.fft.irfft(rows, len(transform), axis=1)[:, : grid.pixels]
     return HeightMap(factor * heights.astype(float), grid.pixel_size, source="substitute")
 
 
@@ -98,8 +98,9 @@ def short_edge_master(
 ) -> HeightMap:
     """Return a mirrored scan whose wavelengths below the transition (nm) are artificial.
 
-    The random surface has a constant C_iso above the transition, so that it adds some long waves,
-    too. Source: the paper, section Determining the Most Relevant Length-scales of Roughness.
+    As in the paper, C_iso of the random surface stays constant above the transition instead of
+    falling to zero; this also adds some long waves. Source: the paper, section Determining the Most
+    Relevant Length-scales of Roughness.
     """
     long_waves = lowpass(mirrored, transition)
     transition_q = 2 * np.pi / transition
@@ -135,7 +136,7 @@ def long_edge_master(
     return replace(repeated, heights=heights.astype(np.float32))
 
 
-#: By side of the band: the word that names its random numbers; others would change all results.
+#: Old names of the sides. They seed the random numbers, so a new name would change all results.
 SEED_WORDS = {"short": "small", "long": "large"}
 SIDES = tuple(SEED_WORDS)
 

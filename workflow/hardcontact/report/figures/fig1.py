@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from hardcontact.report.figures import drawing, panels, style
 
-MAPS_IN_A_ROW = 3
+MAPS_PER_ROW = 3
 
 
 def draw(topography: xr.Dataset) -> Figure:
@@ -22,11 +22,11 @@ def draw(topography: xr.Dataset) -> Figure:
         (sphere, ", sphere as scanned", topography["sphere_as_scanned"]),
         (sphere, ", sphere subtracted", levelled.sel(surface=sphere)),
     ]
-    rows = math.ceil(len(maps) / MAPS_IN_A_ROW)
+    rows = math.ceil(len(maps) / MAPS_PER_ROW)
     figure = drawing.create_figure(2.4 * rows + drawing.FOOTER, topography)
-    grid = figure.subplots(rows, MAPS_IN_A_ROW, squeeze=False).ravel()
+    grid = figure.subplots(rows, MAPS_PER_ROW, squeeze=False).ravel()
     for axes, letter, (surface, state, scan) in zip(grid, ascii_lowercase, maps, strict=False):
-        heights = panels.mean_free_heights(scan)
+        heights = panels.centred_heights(scan)
         surface_data = topography.sel(surface=surface)
         panels.draw_map(axes, heights, surface_data["scan_size"].item(), colours[surface])
         rms_height = np.std(heights, dtype=float)

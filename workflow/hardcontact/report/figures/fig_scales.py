@@ -54,7 +54,7 @@ def draw(
 
 def filtered_heights(scan: xr.Dataset, band: Sequence[float]) -> list[np.ndarray]:
     """Return heights (nm) of a scan with all waves, none below a band (nm), and none above it."""
-    heights = panels.mean_free_heights(scan["example_heights"])
+    heights = panels.centred_heights(scan["example_heights"])
     mirrored = mirror_scan(HeightMap(heights, scan["scan_size"].item() / len(heights)))
     # At least two pixels lie within the short edge.
     pixels = max(mirrored.pixels, 2 * int(mirrored.size / band[0]) + 4)

@@ -66,7 +66,7 @@ def format_pair(pair: pd.Series | xr.Dataset) -> str:
     return f"ρ = {float(pair['range_of_adhesion']):.3g} nm, $W$ = {work:.3g} mJ/m²"
 
 
-def mean_free_heights(heights: xr.DataArray) -> np.ndarray:
+def centred_heights(heights: xr.DataArray) -> np.ndarray:
     """Return the heights (row, column) of one map minus their mean, without padding."""
     unpadded = heights.dropna("row", how="all").dropna("column", how="all").values
     return np.asarray(unpadded - unpadded.mean())

@@ -183,7 +183,7 @@ def _topography_numbers(topography: xr.Dataset) -> Iterator[Number]:
     """Yield the sizes, heights and roughness of the scans of one surface, and of all scales."""
     for name in ("scan_size", "pixel_size"):
         yield number_of(topography, name, "nm", source="file")
-    heights = panels.mean_free_heights(topography["example_heights"])
+    heights = panels.centred_heights(topography["example_heights"])
     yield number_without_value("heights", float(heights.min()), float(heights.max()), "nm")
     scans = topography.dropna("scan", subset=["rms_height"])
     for index in range(scans.sizes["scan"]):

@@ -89,7 +89,7 @@ def draw_maps(datasets: Datasets) -> Figure:
     figure, column = _titled_panels(names.values(), 3.3)
     for axes, name in zip(column, names, strict=True):
         scan = topography.sel(surface=name)
-        heights = panels.mean_free_heights(scan["example_heights"])
+        heights = panels.centred_heights(scan["example_heights"])
         colour = colours.get(name, style.SPHERE_COLOUR)
         panels.draw_map(axes, heights, scan["scan_size"].item(), colour)
     return figure

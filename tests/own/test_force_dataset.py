@@ -13,7 +13,7 @@ from hardcontact.base.statistics import student_interval
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.numerical_limits import FINITE_SCAN_RATIOS
 from hardcontact.inference.mean_forces import MasterScans
-from hardcontact.own.force_at_pair import (
+from hardcontact.own.force_dataset import (
     add_extrapolated_force,
     add_sizes,
     bound_by_smooth_sphere,

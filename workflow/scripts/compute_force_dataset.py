@@ -4,7 +4,7 @@ from hardcontact.base.dataset import read_dataset
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.mean_forces import MasterScans
 from hardcontact.inference.scan_parts import fewest_touched_patches
-from hardcontact.own.force_at_pair import (
+from hardcontact.own.force_dataset import (
     add_closed_form,
     add_sizes,
     compare_and_bound_forces,

@@ -54,13 +54,13 @@ def compare_and_bound_forces(
 ) -> xr.Dataset:
     """Return forces on scans and extrapolated forces, with widened intervals, within their bound.
 
-    `hindcast` is None if all surfaces are substitutes; the `tolerance` is a relative change.
+    `hindcast` has results of tests of the extrapolation (`own.hindcast`), None if all surfaces are
+    substitutes. The `tolerance` is a relative change.
     """
     # Both forces are compared before pixels and hindcast widen the intervals.
     force = add_extrapolated_force(scan_forces, extrapolated_forces, tolerance)
-    force = _widen_intervals(force, hindcast, contact.rho)
     # The bound also holds for widened intervals.
-    return bound_by_smooth_sphere(force, contact.area)
+    return bound_by_smooth_sphere(_widen_intervals(force, hindcast, contact.rho), contact.area)
 
 
 def forces_on_scans(
@@ -98,7 +98,12 @@ def forces_on_scans(
 def _force_variables(
     forces: xr.Dataset, forces_by_model: Sequence[SurfaceForces], rho: float, confidence: float
 ) -> xr.Dataset:
-    """Return the variables of one surface, whose `forces` are at the configured work."""
+    """Return the variables of one surface, whose `forces` are at the configured work.
+
+    The mean force of a rough sphere may rise or fall by ``position_factor``, depending on where the
+    sphere touches. The interval follows from parts of scans, whole ones or quarters:
+    ``interval_scans`` counts the scans, ``correlation_of_parts`` is that of mean forces on parts.
+    """
     mean = np.array([model_forces.mean for model_forces in forces_by_model])
     intervals = [mean_intervals(model_forces, confidence) for model_forces in forces_by_model]
     dimensions = ("contact_model", "rho")
@@ -198,7 +203,10 @@ def _widen_intervals(force: xr.Dataset, hindcast: xr.Dataset | None, rho: float)
 
 
 def extend_by_pixel_factors(force: xr.Dataset) -> xr.Dataset:
-    """Extend the intervals of forces on scans to pixels WIDE_PIXEL_WIDTH times finer."""
+    """Lower the low ends by the factor by which pixels four times wider raise the force.
+
+    Finer pixels may lower the force as much.
+    """
     interval = force["force_interval"]
     extended = interval.where(interval["end"] != "low", interval / surface_pixel_factors(force))
     return force.assign(force_interval=extended.transpose(*interval.dims))
@@ -228,7 +236,8 @@ def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
 def add_closed_form(force: xr.Dataset, spectra: xr.Dataset, contact: Contact) -> xr.Dataset:
     """Return forces with the search size (nm) and the Weibull modulus (surface) in closed form.
 
-    The attributes `tabor_parameter` and `bodies`, its status, say how elastic the bodies are.
+    The attribute `bodies` is the status of `tabor_parameter`: whether the bodies are ``"hard"`` or
+    ``"soft"``, or ``"unknown"``.
     """
     surface_spectra = [
         spectrum_of_dataset(spectra.sel(surface=name)) for name in force["surface"].values
@@ -243,7 +252,7 @@ def add_closed_form(force: xr.Dataset, spectra: xr.Dataset, contact: Contact) ->
 
 
 def add_sizes(force: xr.Dataset, topography: xr.Dataset, contact: Contact) -> xr.Dataset:
-    """Return forces and search sizes (surface) with numbers on the sizes of scans and window.
+    """Add to the forces, which need `search_size`, how the widths of scan and window limit them.
 
     ``finite_scan_ratio`` (surface, end) bounds the force on a scan relative to a large scan;
     ``window_share`` (rho) is the share of a smooth sphere's attraction within the window. The

@@ -21,7 +21,7 @@ def report_lines(
     labels = {scan.scan_file.surface: scan.scan_file.label for scan in scans}
     ids = [f"{surface} is {label}" for surface, label in labels.items() if surface != label]
     if ids:
-        yield f"\nIds of surfaces in paths and tables, also in that of forces: {', '.join(ids)}"
+        yield f"\nNames of surfaces in paths, tables and your table of forces: {', '.join(ids)}"
     if left_out:
         yield "\nLeft out:"
         yield from left_out
