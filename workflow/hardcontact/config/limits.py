@@ -34,7 +34,8 @@ MAX_MAP_PIXELS = 16384
 #: A real scan has waves longer than itself and does not continue at its borders; a larger surface
 #: would imitate this better, but takes more memory.
 RANDOM_SURFACE_WIDTH_RATIO = 4
-#: Largest share of the pixels around a contact that touch: most must attract across a gap.
+#: Largest share of the pixels around a contact that may touch: a choice, far above the shares of
+#: hard, rough contacts.
 MAX_CONTACT_SHARE = 1 / 4
 #: Largest number of contact pixels of all contacts on a scan, with their images in the window. All
 #: are in memory at once, some 24 bytes each, 1.6 GB together.
@@ -119,7 +120,7 @@ def contact_faults(named_contact: NamedContact, surface: str, extent: Extent) ->
     row_pixels = 2 * extent.pixels
     seen_pixels = min(count_window_pixels(contact.window, extent.pixel_size), row_pixels) ** 2
     max_pixels = int(MAX_CONTACT_SHARE * seen_pixels)
-    reason = f"which a quarter of the {seen_pixels} pixels of {surface} can carry"
+    reason = f"which {100 * MAX_CONTACT_SHARE:g} % of {seen_pixels} pixels of {surface} can carry"
     yield from _load_faults(prefix + preload_key, contact, max_pixels, extent.pixel_size, reason)
     if contact.contacts_per_row > row_pixels:
         accepted = f"at most the {row_pixels} pixels along the mirrored scan of {surface}"
