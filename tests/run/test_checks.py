@@ -47,7 +47,7 @@ CONTRADICTIONS = [
     ("sphere.radius", "2 um", "2500 nm", "found 2000 nm"),
     ("contact.window", "90 um", "16384", "found 18432"),
     # Loads
-    ("contact.preload", "1 N", "a quarter of", "at most 156 mN", "found 1 N"),
+    ("contact.preload", "1 N", "25 % of", "at most 156 mN", "found 1 N"),
     ("indent.preloads", ["0.1 uN"], "at least 2 contact pixels", "found 1"),
     # Ranges of adhesion
     ("adhesion.ranges", ["0.04 nm", "1 nm"], "at least 0.05 nm on", "25 nm apart", "found 0.04 nm"),
