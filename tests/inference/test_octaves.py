@@ -79,7 +79,7 @@ def test_intervals_of_few_skewed_contacts_contain_the_sensitivity_with_their_con
     forces = xr.Dataset(
         {"octave_force": (axes, (force * (1 + change * single_sensitivity))[None])},
         {"octave": np.arange(draws), "factor": list(AMPLITUDE_FACTORS)},
-        {"map_size": 10_000.0},
+        {"map_size": 10_000.0, "period": 20_000.0},
     )
     result = octave_sensitivities(forces, parts_of_maps(forces, radius=50_000.0, rho=3.0), 0.95)
     interval = result.octave_sensitivity_interval

@@ -31,10 +31,10 @@ QUARTERS = quarters_of_contacts(4, 1)
 
 
 def test_three_scans_are_independent_parts_and_fewer_are_divided_into_quarters():
-    three = parts_of_scans(np.array([0, 1, 2, 0]), QUARTERS, size=100.0, weight_deviation=50.0)
+    three = parts_of_scans(np.array([0, 1, 2, 0]), QUARTERS, period=200.0, weight_deviation=50.0)
     assert not three.are_quarters and three.part_of_contact[:, 0, 0].tolist() == [0, 1, 2, 0]
     np.testing.assert_array_equal(three.correlation_matrix, np.eye(3))
-    two = parts_of_scans(np.array([0, 1, 0]), QUARTERS, size=100.0, weight_deviation=50.0)
+    two = parts_of_scans(np.array([0, 1, 0]), QUARTERS, period=200.0, weight_deviation=50.0)
     assert two.are_quarters and (two.correlation_matrix[:4, 4:] == 0).all()
     np.testing.assert_array_equal(two.part_of_contact[1], QUARTERS + 4)
 
@@ -59,7 +59,21 @@ def quarter_means(forces):
 def test_quarters_correlate_as_those_of_smoothed_noise(deviation):
     means = quarter_means(random_forces(np.random.default_rng(1), 4000, 32, deviation * 32))
     measured_correlation = means.T @ means / np.mean(means**2) / len(means)
-    scan_parts = parts_of_scans(np.zeros(1), QUARTERS, size=1.0, weight_deviation=deviation)
+    scan_parts = parts_of_scans(np.zeros(1), QUARTERS, period=2.0, weight_deviation=deviation)
+    np.testing.assert_allclose(scan_parts.correlation_matrix, measured_correlation, atol=0.05)
+
+
+@pytest.mark.parametrize("deviation", [0.02, 0.15, 0.3])
+def test_quarters_of_a_surface_that_is_not_mirrored_correlate_as_those_of_noise(deviation):
+    # The force at each pixel is periodic noise, smoothed by a Gaussian with a deviation in periods.
+    pixels, draws = 32, 4000
+    noise = np.random.default_rng(1).standard_normal((draws, pixels, pixels))
+    decay = np.exp(-2 * (np.pi * fft.fftfreq(pixels, 1 / pixels) * deviation) ** 2)
+    forces = fft.ifftn(fft.fftn(noise, axes=(1, 2)) * decay[:, None] * decay, axes=(1, 2)).real
+    quarters = quarters_of_contacts(pixels, 1)
+    means = np.stack([forces[:, quarters == quarter].mean(axis=1) for quarter in range(4)], axis=1)
+    measured_correlation = means.T @ means / np.mean(means**2) / draws
+    scan_parts = parts_of_scans(np.zeros(1), quarters, period=1.0, weight_deviation=deviation)
     np.testing.assert_allclose(scan_parts.correlation_matrix, measured_correlation, atol=0.05)
 
 
@@ -70,7 +84,7 @@ def test_intervals_contain_the_mean_with_their_confidence(scans):
         random_forces(np.random.default_rng(2), draws * scans, 16, deviation * 16)
     )
     means = means.reshape(draws, -1)
-    scan_parts = parts_of_scans(np.arange(scans), QUARTERS, size=1.0, weight_deviation=deviation)
+    scan_parts = parts_of_scans(np.arange(scans), QUARTERS, period=2.0, weight_deviation=deviation)
     if not scan_parts.are_quarters:
         means = means.reshape(draws, scans, 4).mean(axis=-1)
     count = means.shape[1]
@@ -80,10 +94,10 @@ def test_intervals_contain_the_mean_with_their_confidence(scans):
 
 
 def test_a_single_part_or_equal_parts_have_no_interval():
-    far = parts_of_scans(np.zeros(1), QUARTERS, size=1.0, weight_deviation=5.0)
+    far = parts_of_scans(np.zeros(1), QUARTERS, period=2.0, weight_deviation=5.0)
     assert np.isnan(half_width_of(np.arange(4.0), far, 0.95))
-    single = parts_of_scans(np.zeros(1), np.zeros((1, 1), int), size=1.0, weight_deviation=0.1)
+    single = parts_of_scans(np.zeros(1), np.zeros((1, 1), int), period=2.0, weight_deviation=0.1)
     assert np.isnan(half_width_of(np.zeros(1), single, 0.95))
-    near = parts_of_scans(np.zeros(1), QUARTERS, size=1.0, weight_deviation=0.1)
+    near = parts_of_scans(np.zeros(1), QUARTERS, period=2.0, weight_deviation=0.1)
     half_width = half_width_of(np.array([[0.1, 0.2]] * 4) + 1e-17, near, 0.95)
     assert np.isnan(half_width).all()

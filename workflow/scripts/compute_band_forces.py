@@ -29,7 +29,7 @@ with run_job(snakemake) as job:
             substitute, params["has_features"], job.input.description, number, **params["grid"]
         )
         band_forces = band_force_dataset(surface, bands, compute_forces)
-        forces[(number,)] = band_forces.assign_attrs(map_size=surface.size)
+        forces[(number,)] = band_forces.assign_attrs(period=surface.size)
     job.write(
         stack(forces, ["map"]),
         title=f"pull-off forces of {params['surface']} with a part of the roughness",

@@ -56,7 +56,7 @@ def forces_of_surface(
     scans = np.arange(scan_forces.sizes["scan"])
     quarters = quarters_of_contacts(scan_forces.sizes["contact_y"], 1)
     scan_parts = [
-        parts_of_scans(scans, quarters, scan_size, float(np.sqrt(radius * rho)), touched_patches)
+        parts_of_scans(scans, quarters, 2 * scan_size, np.sqrt(radius * rho), touched_patches)
         for rho in scan_forces.rho.values
     ]
     delete_one_log_means = delete_one_logarithms(
@@ -149,8 +149,6 @@ def select_masters(
     """Return the forces on the masters of one surface and side from filtered_forces.nc."""
     # The spectrum of an unfiltered long-edge master ends at the width of the master.
     master_size = float(filtered_forces.spectrum_end.sel(surface=surface, side="long"))
-    # A tile is a mirrored scan, twice as wide as the scan.
-    scan_size = master_size / master_scans.tiles / 2
     tiles = master_scans.tiles if side == "long" else 1
     forces = filtered_forces.sel(surface=surface, side=side).dropna(
         "realization", how="all", subset=["filtered_force_ratio"]
@@ -158,7 +156,7 @@ def select_masters(
     scan_parts = parts_of_scans(
         (forces.realization.values - 1) % master_scans.scan_counts[surface],
         quarters_of_contacts(forces.sizes["contact_y"], tiles),
-        scan_size,
+        master_size / master_scans.tiles,  # the width of a tile, which is a mirrored scan
         float(np.sqrt(filtered_forces.attrs["sphere_radius"] * filtered_forces.attrs["rho"])),
         master_scans.touched_patches[surface],
     )

@@ -56,7 +56,7 @@ def octave_force_dataset(
     """Return ``octave_force`` with one octave multiplied by each of AMPLITUDE_FACTORS.
 
     The forces (octave, factor, contact_y, contact_x) are in N at 1 J/m². The coordinate ``octave``
-    is the shortest wavelength of an octave in nm.
+    is the shortest wavelength of an octave in nm, the attribute ``period`` that of the surface.
     """
     changed_surface = replace(surface, heights=np.empty_like(surface.heights))
 
@@ -73,6 +73,7 @@ def octave_force_dataset(
             "octave": ("octave", np.asarray(limits[:-1]), NM),
             "factor": ("factor", list(AMPLITUDE_FACTORS), DIMENSIONLESS),
         },
+        {"period": surface.size},
     )
 
 

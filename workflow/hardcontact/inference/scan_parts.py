@@ -111,7 +111,8 @@ def fewest_touched_patches(adhesion: xr.Dataset) -> dict[str, float]:
 def quarters_of_contacts(contacts_per_row: int, tiles: int) -> NDArray[np.int_]:
     """Return the quarter (contact_y, contact_x), 0 to 3, of the scan that holds each contact.
 
-    The map is the mirrored scan, repeated `tiles` times along each axis.
+    The map is the mirrored scan, repeated `tiles` times along each axis. On another periodic map
+    the quarters are as large, because a half about the middle of its period takes both sides.
     """
     # Positions of `contact_positions` in widths of the scan; the second width is its mirror image.
     unfolded = 2 * tiles * (np.arange(contacts_per_row) + 0.25) / contacts_per_row % 2
@@ -122,15 +123,15 @@ def quarters_of_contacts(contacts_per_row: int, tiles: int) -> NDArray[np.int_]:
 def parts_of_scans(
     scan_of_map: NDArray[np.int_],
     quarters: NDArray[np.int_],
-    size: float,
+    period: float,
     weight_deviation: float,
     touched_patches: float = np.inf,
 ) -> ScanParts:
     """Return the parts of the scans of a surface: scans if there are three, otherwise quarters.
 
     `scan_of_map` (map,) numbers the scan of each map, `quarters` come from `quarters_of_contacts`.
-    `size` is the width of a scan in nm. Around a contact, the surface attracts with a Gaussian
-    weight (Eq. 3 of the paper), whose `weight_deviation` is sqrt(R rho) in nm.
+    The `period` in nm is twice the width of a mirrored scan. Around a contact, the surface attracts
+    with a Gaussian weight (Eq. 3 of the paper), whose `weight_deviation` is sqrt(R rho) in nm.
     """
     scans, scan = np.unique(scan_of_map, return_inverse=True)
     if len(scans) >= ENOUGH_SCANS:
@@ -138,7 +139,7 @@ def parts_of_scans(
         return ScanParts(part_of_contact, np.eye(len(scans)), len(scans), touched_patches)
     numbers, quarter = np.unique(quarters, return_inverse=True)
     part_of_contact = scan[:, None, None] * len(numbers) + quarter.reshape(quarters.shape)
-    scan_matrix = _correlation_of_quarters(size, weight_deviation)[np.ix_(numbers, numbers)]
+    scan_matrix = _correlation_of_quarters(period, weight_deviation)[np.ix_(numbers, numbers)]
     correlation_matrix = np.asarray(np.kron(np.eye(len(scans)), scan_matrix), float)
     return ScanParts(part_of_contact, correlation_matrix, len(scans), touched_patches)
 
@@ -146,15 +147,15 @@ def parts_of_scans(
 def parts_of_maps(
     forces: xr.Dataset, radius: float, rho: float, touched_patches: float = np.inf
 ) -> ScanParts:
-    """Return the parts of maps, each of another scan or surface; forces have ``map_size`` in nm."""
+    """Return the parts of maps, each of another scan or surface; forces have a ``period`` in nm."""
     quarters = quarters_of_contacts(forces.sizes["contact_y"], 1)
-    size = float(forces.attrs["map_size"])
+    period = float(forces.attrs["period"])
     maps = np.arange(forces.sizes["map"])
-    return parts_of_scans(maps, quarters, size, float(np.sqrt(radius * rho)), touched_patches)
+    return parts_of_scans(maps, quarters, period, float(np.sqrt(radius * rho)), touched_patches)
 
 
-def _correlation_of_quarters(size: float, weight_deviation: float) -> Floats:
-    """Return the correlation (4, 4) of the mean forces on the quarters of a scan of a size in nm.
+def _correlation_of_quarters(period: float, weight_deviation: float) -> Floats:
+    """Return the correlation (4, 4) of the mean forces on the quarters of a period in nm.
 
     Along one axis, the surface attracts the contacts of one half with a weight: a step, 1 on this
     half and 0 on the other, smoothed by a Gaussian. If roughness is uncorrelated, the covariance of
@@ -162,7 +163,7 @@ def _correlation_of_quarters(size: float, weight_deviation: float) -> Floats:
     steps: 1/2, and ±2/(k pi) at odd orders k.
     """
     order = np.arange(1, 2000, 2)  # the sum over higher orders is below 1e-4
-    decay = np.exp(-((np.pi * order * weight_deviation / size) ** 2))
+    decay = np.exp(-((2 * np.pi * order * weight_deviation / period) ** 2))
     step = 2 / (np.pi * order) ** 2 * decay
     covariance_ratio = (0.25 - step.sum()) / (0.25 + step.sum())
     halves = np.array([[1.0, covariance_ratio], [covariance_ratio, 1.0]])
