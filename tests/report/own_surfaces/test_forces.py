@@ -1,4 +1,4 @@
-"""Computed forces of the user's surfaces, and their ratios."""
+"""Computed and measured forces of the user's surfaces, their ratios, and the fit to them."""
 
 import numpy as np
 import pytest
@@ -7,14 +7,17 @@ from answer_inputs import (
     PAIRS,
     RANGE,
     SURFACES,
+    WORK,
     datasets,
     drop_interval,
+    fit,
     force,
     numbers_of,
     spectra,
-)
+)  # fmt: skip
 
-from hardcontact.report.own_surfaces.forces import comparison_numbers, pair_numbers
+from hardcontact.report.own_surfaces.datasets import select_preferred_model
+from hardcontact.report.own_surfaces.forces import comparison_numbers, fit_numbers, pair_numbers
 
 #: The shortest wavelength (nm) of an octave that scans show.
 OCTAVE = 80.0
@@ -64,3 +67,50 @@ def test_the_octave_whose_amplitude_differs_makes_the_ratio():
     name = "force_over_reference_octave_1"
     assert numbers[name].value == OCTAVE
     assert numbers[f"{name}_factor"].value == pytest.approx(0.5**SENSITIVITY, rel=0.03)
+
+
+def test_own_forces_have_numbers_only_for_their_surface():
+    numbers = numbers_of(fit=fit())
+    assert numbers["measured_force"].source == "measured"
+    assert numbers["measured_force_count"].value == 40
+    assert numbers["measured_work"].value == pytest.approx(WORK)
+    different = fit()
+    different["extrapolation_matters"].loc[{"side": "short"}] = 1
+    assert numbers_of(fit=different)["extrapolated_work_short"].value == pytest.approx(WORK / 2)
+    assert "measured_force" not in numbers_of(fit=fit().assign_coords(surface=["other"]))
+
+
+def fitted(data):
+    """The numbers of a fit by name."""
+    return {number.name: number for number in fit_numbers(select_preferred_model(data))}
+
+
+def test_fits_of_several_surfaces_have_a_region():
+    numbers = fitted(fit(2))
+    assert (numbers["fit_best_range"].value, numbers["fit_best_work"].value) == (5.6, WORK)
+    region = numbers["fit_region_range"]
+    assert (region.low, region.status) == (3.2, "ends") and np.isnan(region.high)
+    assert (numbers["fit_range"].value, numbers["fit_agrees"].value) == (5.6, 1)
+    assert np.isnan(numbers["fit_gap"].low)
+
+
+def test_the_range_of_the_forces_may_lie_outside_of_the_region():
+    short_range = fit(2).assign_attrs(rho=1.0)  # the region begins at 3.2 nm
+    assert fitted(short_range)["fit_agrees"].value == 0
+
+
+def test_a_region_may_have_a_gap():
+    parted = fit(2)
+    parted["region"].loc[{"rho_fine": slice(6, 9)}] = np.nan
+    rho = parted["rho_fine"].values
+    gap = fitted(parted)["fit_gap"]
+    assert (gap.low, gap.high) == (rho[rho < 6].max(), rho[rho > 9].min())
+
+
+def test_a_fit_without_a_region_has_a_reason():
+    assert fitted(fit())["fit_region_range"].status == "one_force"
+    nothing = fit(2)
+    nothing["region"] *= np.nan
+    assert fitted(nothing)["fit_region_range"].status == "no_agreement"
+    nothing["work_by_range_interval"] *= np.nan
+    assert fitted(nothing)["fit_region_range"].status == "no_interval"

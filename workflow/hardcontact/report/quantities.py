@@ -47,8 +47,7 @@ def number_of(
 ) -> Number:
     """Return a variable without dimensions, with its `<variable>_interval` if there is one.
 
-    `unit` and `name` replace those of the variable. An interval from zero to infinity counts as
-    none, and an unknown value has none.
+    `unit` and `name` replace those of the variable.
     """
     unit = unit or str(dataset[variable].attrs.get("units", "1"))
     number = Number(name or variable, float(dataset[variable].item()), unit, source=source)
@@ -102,10 +101,7 @@ def answer_text(answer: Mapping[str, Any]) -> str:
 
 
 def format_number(number: Number, digits: int = 3, end: str = "") -> str:
-    """Return a known number with its interval, "67 [47, 74] nm", or its "low" or "high" end.
-
-    With the status INTERVAL_OPEN_HIGH only the low end is known: "67 nm (at least 47 nm)".
-    """
+    """Return a known number with its interval, "67 [47, 74] nm", or its "low" or "high" end."""
     open_end = ""
     if number.status.startswith("interval_open_"):
         open_end = number.status.removeprefix("interval_open_")

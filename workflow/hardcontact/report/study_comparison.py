@@ -1,7 +1,6 @@
-"""The numbers of two studies side by side, from their answer.json, and the intervals of changes.
+"""The numbers of two studies side by side, and the intervals of their changes.
 
-If two studies of the paper have the same sets of scans, their scatter cancels from the change in
-each set. Random numbers of a set depend on the seed, the surface and the number of the set alone.
+If both studies have the same sets of scans, their scatter cancels from the change in each set.
 """
 
 import json
@@ -128,8 +127,7 @@ def compare_answers(
 ) -> tuple[list[ChangedInput], list[ComparedNumber]]:
     """Return the inputs that differ between two answers, and the results that both have.
 
-    If each study has one surface, both are compared whatever their names are. Raises ValueError if
-    one study is the paper's kind and one of the user's surfaces.
+    Raises ValueError if the studies are not of the same kind.
     """
     if first["kind"] != second["kind"]:
         raise ValueError(
@@ -162,7 +160,10 @@ def _changed_contact(first: Mapping[str, Any], second: Mapping[str, Any]) -> Ite
 def _numbers_of_both(
     first: Mapping[str, Any], second: Mapping[str, Any]
 ) -> Iterator[ComparedNumber]:
-    """Yield the numbers of the whole study, then of each surface, that both answers have."""
+    """Yield the numbers of the whole study, then of each surface, that both answers have.
+
+    Two studies of one surface each are compared whatever their surfaces are called.
+    """
     labels = {surface["name"]: surface["label"] for surface in first["surfaces"]}
     second_names = [surface["name"] for surface in second["surfaces"]]
     names = {name: name for name in labels if name in second_names}
@@ -185,10 +186,7 @@ def is_known(number: Number) -> bool:
 
 
 def lacks_interval(number: Number) -> bool:
-    """Return whether a number has neither an interval nor a bound.
-
-    A number that scans do not bound counts as one with an infinite interval.
-    """
+    """Return whether a number has neither an interval nor a bound."""
     has_no_end = math.isnan(number.low) and math.isnan(number.high)
     return has_no_end and number.status not in (*NO_LOW_END, *NO_HIGH_END)
 
@@ -206,8 +204,7 @@ def bounds(number: Number) -> tuple[float, float]:
 def pairing(first_study: Mapping[str, xr.Dataset], second_study: Mapping[str, xr.Dataset]) -> str:
     """Return "paired" if two studies have the same sets of scans, otherwise why not.
 
-    A study is its SET_DATASETS by name. "no_sets": a study has no datasets. "other_scans": seeds or
-    recorded surfaces differ.
+    A study is its SET_DATASETS by name.
     """
     if not (first_study and second_study):
         return "no_sets"
@@ -242,20 +239,21 @@ def add_paired_intervals(
 ) -> list[ComparedNumber]:
     """Add the intervals of changes between paired studies to the numbers that sets have."""
     first_values, second_values = _set_numbers(first_study), _set_numbers(second_study)
-    confidence = first_study["sets"].attrs["confidence"]
-    return [
-        _add_change_interval(number, first_values[key], second_values[key], confidence)
-        if (key := (number.surface, number.name)) in first_values and key in second_values
-        else number
-        for number in numbers
-    ]
+    paired_numbers = []
+    for number in numbers:
+        key = number.surface, number.name
+        if key in first_values and key in second_values:
+            first, second = first_values[key], second_values[key]
+            changes = second / first if number.change.name == "ratio" else second - first
+            interval = sets_interval(changes.values, first_study["sets"].attrs["confidence"])
+            low, high = stretch_interval(interval, number.change.value)
+            number = number._replace(change_interval=(float(low), float(high)))
+        paired_numbers.append(number)
+    return paired_numbers
 
 
 def _set_numbers(study: Mapping[str, xr.Dataset]) -> dict[tuple[str, str], xr.DataArray]:
-    """Return the numbers (set,) or (candidate,) by the label of the surface and their name.
-
-    The label is empty for the whole study, and names are as in answer.json.
-    """
+    """Return the numbers (set,) or (candidate,) by the label of the surface and their name."""
     sets, features = study["sets"], study["features"]
     labels = study["topography"]["label"].to_series()[sets["surface"].values]
     claims = {("", name): claim for name, claim in ANSWER_CLAIMS.items()}
@@ -275,13 +273,3 @@ def _set_numbers(study: Mapping[str, xr.Dataset]) -> dict[tuple[str, str], xr.Da
         key = "", f"{kind}_{name.removesuffix('_at_pair')}"
         numbers[key] = features[name].sel(features=kind)
     return numbers
-
-
-def _add_change_interval(
-    number: ComparedNumber, first: xr.DataArray, second: xr.DataArray, confidence: float
-) -> ComparedNumber:
-    """Return a number with the interval of its change, from numbers of the same sets in order."""
-    changes = second / first if number.change.name == "ratio" else second - first
-    interval = sets_interval(changes.values, confidence)
-    low, high = stretch_interval(interval, number.change.value)
-    return number._replace(change_interval=(float(low), float(high)))

@@ -9,6 +9,9 @@ from collections.abc import Mapping, Sequence
 from functools import cache
 from typing import Any, NamedTuple
 
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from markupsafe import Markup, escape
+
 from hardcontact.base.formatting import format_share
 from hardcontact.report import TEXTS, quantities
 from hardcontact.report.figures.listing import caption
@@ -32,17 +35,15 @@ class Frame(NamedTuple):
 def render_document(template: str, frame: Frame, page: str, **facts: Any) -> str:
     """Return a page, by its name, as one HTML document that needs no network.
 
-    The template is a file of workflow/report/templates, the facts are the names that it uses.
-    Printed values are escaped. The page allows no script but its own, which it names by its digest.
+    The facts are the names that the template uses.
     """
-    # Imported here: it takes longer than most jobs compute.
-    from markupsafe import Markup
-
     script = (TEMPLATES / "page.js").read_text("utf-8")
     style = (TEMPLATES / "style.css").read_text("utf-8")
     facts |= {"frame": frame, "page": page, "commit": _code_commit()}
     facts |= {"style": Markup(style), "script": Markup(script)}
-    return render_template(template, policy=_security_policy(script), **facts)
+    digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
+    allowed = f"img-src data: file: 'self'; style-src 'unsafe-inline'; script-src 'sha256-{digest}'"
+    return render_template(template, policy=f"default-src 'none'; {allowed}", **facts)
 
 
 def render_page(
@@ -69,8 +70,6 @@ def render_template(template: str, **facts: Any) -> str:
 
 def render_lines(template: str, **facts: Any) -> list[str]:
     """Return the lines of a template that are not empty, as plain text."""
-    from markupsafe import Markup
-
     text = render_template(template, **facts)
     lines = [Markup(line).striptags() for line in text.splitlines()]
     return [line for line in lines if line]
@@ -93,10 +92,8 @@ def substitutes_note(labels: Sequence[str]) -> list[dict[str, Any]]:
 
 
 @cache
-def _environment() -> Any:
+def _environment() -> Environment:
     """Return the environment in which templates of pages are rendered; it compiles each once."""
-    from jinja2 import Environment, FileSystemLoader, StrictUndefined
-
     environment = Environment(
         loader=FileSystemLoader(TEMPLATES), autoescape=True, undefined=StrictUndefined,
         trim_blocks=True, lstrip_blocks=True,
@@ -126,13 +123,6 @@ def _code_commit() -> str:
     return run.stdout.strip()
 
 
-def _security_policy(script: str) -> str:
-    """Return the security policy of a page: no network, one script, own styles, local pictures."""
-    digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
-    allowed = f"img-src data: file: 'self'; style-src 'unsafe-inline'; script-src 'sha256-{digest}'"
-    return f"default-src 'none'; {allowed}"
-
-
 def _share_of_decades(value: float, low: float, high: float) -> float:
     """Return the position of a value between two others on a logarithmic axis, from 0 to 1."""
     return min(max(math.log(value / low) / math.log(high / low), 0.0), 1.0)
@@ -146,8 +136,6 @@ def unbroken(text: Any) -> str:
 
 def _link_claims(text: str, claims: Mapping[str, Mapping[str, Any]]) -> Any:
     """Return a text in which ids of claims are links, printed as numbers of statements."""
-    from markupsafe import Markup, escape
-
     words = re.split(r"(\w+)", text)
     link = Markup('<a href="#{}">statement {}</a>')
     return Markup("").join(

@@ -42,10 +42,7 @@ def describe_figure(name: str) -> Description:
 
 
 def caption(name: str, facts: Mapping[str, Any]) -> Description:
-    """Return the description of a figure with the facts that its templates name.
-
-    Its details end with its inputs.
-    """
+    """Return the description of a figure with the facts that its templates name."""
     from jinja2 import Environment, StrictUndefined
 
     environment = Environment(undefined=StrictUndefined)

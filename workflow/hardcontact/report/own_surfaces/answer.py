@@ -9,7 +9,7 @@ import xarray as xr
 from hardcontact.base.number import Number, NumberSource, numbers_by_name
 from hardcontact.inference.octaves import strongest_octaves
 from hardcontact.report.figures import panels
-from hardcontact.report.own_surfaces import edges, fits, forces
+from hardcontact.report.own_surfaces import edges, forces
 from hardcontact.report.own_surfaces.cautions import Caution, answer_cautions
 from hardcontact.report.own_surfaces.datasets import (
     MEASUREMENT_LENGTHS,
@@ -17,6 +17,7 @@ from hardcontact.report.own_surfaces.datasets import (
     Setting,
     measurement_name,
     preferred_model,
+    select_preferred_model,
     shown_octaves,
     split_measurements,
     stored_tabor_number,
@@ -118,7 +119,8 @@ def _surface_answer(
     if data.fit is None and {RANGE_NAME, WORK_NAME} & set(setting.assumed):
         numbers += forces.pair_numbers(data.force, setting.pairs)
     if data.fit is not None and name in data.fit["surface"].values:
-        numbers += fits.measured_numbers(fits.preferred_fit(data.fit).sel(surface=name), data)
+        surface_fit = select_preferred_model(data.fit).sel(surface=name)
+        numbers += forces.measured_numbers(surface_fit, data)
     named_numbers = numbers_by_name(*numbers)
     conclusion = edges.surface_conclusion(named_numbers)
     cautions = answer_cautions(data, named_numbers)
@@ -145,7 +147,7 @@ def _octave_numbers(data: Datasets) -> Iterator[Number]:
 
 def _study_numbers(datasets: Datasets, setting: Setting) -> list[Number]:
     """Return the numbers of the whole study: settings and, with measured forces, the fit."""
-    contact, band = datasets.force.attrs, datasets.edges.attrs
+    contact, band, fit = datasets.force.attrs, datasets.edges.attrs, datasets.fit
     sources: dict[str, NumberSource] = {
         name: "assumed" if name in setting.assumed else "given" for name in (RANGE_NAME, WORK_NAME)
     }
@@ -155,7 +157,7 @@ def _study_numbers(datasets: Datasets, setting: Setting) -> list[Number]:
         Number("tolerance", band["tolerance"], source="given"),
         Number("confidence", band["confidence"], source="given"),
         stored_tabor_number(datasets.force),
-        *([] if datasets.fit is None else fits.fit_numbers(fits.preferred_fit(datasets.fit))),
+        *([] if fit is None else forces.fit_numbers(select_preferred_model(fit))),
     ]
 
 
@@ -203,11 +205,7 @@ def _measurement_numbers(spectra: xr.Dataset) -> Iterator[Number]:
 
 
 def _surface_head(surface: SurfaceAnswer, spectra: xr.Dataset) -> dict[str, Any]:
-    """Return the head of one surface in answer.json: its name, conclusion and measurements.
-
-    `limited_by` is the limit of the shortest reliable wavelengths. Without reliable wavelengths it
-    is "", unless the other body is rougher at all of them.
-    """
+    """Return the head of one surface in answer.json: its name, conclusion and measurements."""
     measurements = []
     for scan in split_measurements(spectra.sel(surface=surface.name)):
         limit = str(scan["limited_by"].item())

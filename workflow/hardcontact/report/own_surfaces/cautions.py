@@ -47,9 +47,7 @@ MISLEADING_DEFECTS = frozenset({"spikes", "equal_lines", "highest"})
 class Caution:
     """A caution about the answer of one surface: a code, and the numbers and texts of its sentence.
 
-    A caution is grave if its cause may change the force by more than the tolerance of the band.
-    `measurement` is the number of the measurement with a defect, 0 for other cautions. `texts` are
-    names of scans and the like, by their role in the sentence.
+    `measurement` is the number of the measurement with a defect, 0 for other cautions.
     """
 
     def __init__(

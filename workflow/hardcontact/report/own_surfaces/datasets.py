@@ -1,8 +1,4 @@
-"""The final datasets of a study of the user's surfaces: forces, measurements, reliable wavelengths.
-
-Masters have random waves at most of the wavelengths at which no scan is reliable. At others, such
-as gaps between scans, they have the scan's own.
-"""
+"""The final datasets of a study of the user's surfaces, and the wavelengths that scans show."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
@@ -66,18 +62,19 @@ def preferred_model(force: xr.Dataset) -> str:
 
 
 def stored_tabor_number(force: xr.Dataset) -> Number:
-    """Return the Tabor parameter of the contacts, NaN if their modulus is not known.
-
-    Its status says whether the bodies are hard, as `Elasticity`.
-    """
+    """Return the Tabor parameter of the contacts, with their `Elasticity` as its status."""
     return Number("tabor_parameter", force.attrs["tabor_parameter"], status=force.attrs["bodies"])
+
+
+def select_preferred_model(data: xr.Dataset) -> xr.Dataset:
+    """Return the forces, or the fit, of the preferred contact model."""
+    return data.sel(contact_model=preferred_model(data))
 
 
 def forces_at_range(force: xr.Dataset) -> xr.Dataset:
     """Return the forces of the preferred contact model at the configured range of adhesion."""
     rho = force.attrs["rho"]
-    model_forces = force.sel(contact_model=preferred_model(force))
-    return model_forces.sel(rho=rho, method="nearest", tolerance=1e-6 * rho)
+    return select_preferred_model(force).sel(rho=rho, method="nearest", tolerance=1e-6 * rho)
 
 
 def drop_padding(spectra: xr.Dataset) -> xr.Dataset:
@@ -106,10 +103,9 @@ def split_measurements(spectra: xr.Dataset) -> list[xr.Dataset]:
 
 
 def unreliable_bands(spectra: xr.Dataset) -> list[tuple[float, float]]:
-    """Return the bands of wavelengths at which no measurement of a surface is reliable.
+    """Return the bands of wavelengths (nm) at which no measurement of a surface is reliable.
 
-    A band is its shortest and its longest wavelength (nm). The first begins at 0, the last ends at
-    infinity; between them lie gaps between scans.
+    The first band begins at 0, the last ends at infinity.
     """
     scans = drop_padding(spectra)
     scans = scans.isel(measurement=(scans["reliable"].values == 1).any(axis=1))
@@ -129,10 +125,8 @@ def overlaps_any(low: float, high: float, bands: Iterable[tuple[float, float]]) 
 
 
 def shown_octaves(data: Datasets) -> np.ndarray:
-    """Return a mask (octave,) of the octaves at whose middle a scan of one surface is reliable.
-
-    `octave` is the shortest wavelength of each octave.
-    """
+    """Return a mask (octave,) of the octaves at whose middle a scan of one surface is reliable."""
+    # `octave` is the shortest wavelength of each octave.
     middles = np.sqrt(2) * data.sensitivity["octave"].values
     bands = unreliable_bands(data.spectra)
     hidden = [(shortest < middles) & (middles < longest) for shortest, longest in bands]

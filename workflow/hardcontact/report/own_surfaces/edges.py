@@ -28,14 +28,10 @@ NEARLY_ALL = 0.9
 class Conclusion(NamedTuple):
     """The answer of one surface in short; intervals have both ends or none."""
 
-    #: "yes" if both edges are found, edges and force come from wavelengths at which a scan is
-    #: reliable, and no extrapolated force differs; "no" if edges and force all come from unreliable
-    #: wavelengths, or if the band is "few_patches" or "unresolved"; otherwise "partly".
-    answer: str
+    answer: str  #: "yes", "partly" or "no".
     #: "few_patches" if contacts touch too few; "unresolved" if no cutoff changes the force;
-    #: "unknown" if a hindcast fails or the filter makes ripples; "overlapping" if the short edge is
-    #: at or above the long edge: either short or long waves alone give the force; otherwise
-    #: "found", even if an edge is only a bound.
+    #: "unknown" if a hindcast fails or the filter makes ripples; "overlapping" if short or long
+    #: waves alone give the force; otherwise "found", even if an edge is only a bound.
     band: str
     short_edge: Number
     long_edge: Number
@@ -54,10 +50,7 @@ class NextScan(NamedTuple):
 
 
 def add_status(number: Number, interval_source: xr.DataArray) -> Number:
-    """Return a number with a status that says why it has no interval, if it has none.
-
-    Either contacts touch few patches, or scans do not bound the number. Other statuses stay.
-    """
+    """Return a number with a status that says why it has no interval, if it has none."""
     is_bounded = np.isfinite([number.low, number.high]).any()
     if is_bounded or number.status not in ("", NumberStatus.NO_INTERVAL):
         return number
@@ -67,11 +60,7 @@ def add_status(number: Number, interval_source: xr.DataArray) -> Number:
 
 
 def edge_numbers(data: Datasets) -> list[Number]:
-    """Return the edges of one surface, their measured shares, and cutoffs around some edges.
-
-    Both edges have no value if no cutoff changes the force. Edges without an interval have the
-    cutoffs around them.
-    """
+    """Return the edges of one surface, their measured shares, and cutoffs around some edges."""
     statuses = data.edges["edge_status"].sel(side=list(SIDES)).values.tolist()
     if statuses == [EdgeStatus.OPEN_ABOVE, EdgeStatus.OPEN_BELOW]:
         return [Number(name, np.nan, "nm", status=NoValue.NO_BAND) for name in EDGE_NAMES.values()]
@@ -88,8 +77,7 @@ def edge_numbers(data: Datasets) -> list[Number]:
 def _edge_without_unreliable_ends(data: Datasets, side: str) -> Number:
     """Return an edge, or its bound if it is open, without interval ends where no scan is reliable.
 
-    The edge is NaN if the filter makes ripples, or if the hindcast fails, because the unfiltered
-    force then rests on wrong roughness.
+    If the hindcast fails, the edge is NaN, because the unfiltered force rests on wrong roughness.
     """
     name = EDGE_NAMES[side]
     side_edges = data.edges.sel(side=side)
@@ -156,12 +144,7 @@ def measured_share_at_edge(data: Datasets, side: str) -> float:
 
 
 def edge_source(data: Datasets, side: str) -> NumberSource:
-    """Return whether an edge rests on unreliable wavelengths, as the source of its number.
-
-    "unreliable": the edge, or its bound, lies at an unreliable wavelength, or more than 90 % of the
-    change comes from such wavelengths. "partly_unreliable": 10 to 90 % of the change does.
-    "interval_unreliable": only the interval reaches such wavelengths. Otherwise "measured".
-    """
+    """Return whether an edge rests on unreliable wavelengths, as the source of its number."""
     side_edges = data.edges.sel(side=side)
     bands = unreliable_bands(data.spectra)
     edge = float(side_edges["edge"].fillna(side_edges["edge_bound"]))
@@ -211,11 +194,8 @@ def _drop_partial_interval(number: Number) -> Number:
 
 
 def next_scans(numbers: Mapping[str, Number], spectra: xr.Dataset) -> list[NextScan]:
-    """Return a measurement to make next for each edge that is open or partly unreliable.
-
-    Both edges get a measurement if no cutoff changes the force. A surface that is only described
-    gets none, because there may be nothing to scan.
-    """
+    """Return a measurement to make next for each edge that is open, unknown or unreliable."""
+    # A surface that is only described may not exist yet.
     if (spectra["kind"] == "description").any():
         return []
     return [
@@ -227,12 +207,7 @@ def next_scans(numbers: Mapping[str, Number], spectra: xr.Dataset) -> list[NextS
 
 
 def _next_scan(edge: Number, spectra: xr.Dataset) -> NextScan:
-    """Return the measurement that would find an edge.
-
-    Its limit is the edge, or its bound, if no scan is reliable there; otherwise the nearest
-    unreliable wavelength beyond. Without a value, the end of the measured wavelengths replaces the
-    edge.
-    """
+    """Return the measurement that would find an edge."""
     bands = unreliable_bands(spectra)
     wavelength = edge.value
     is_finer = edge.name == "short_edge"

@@ -19,6 +19,7 @@ from hardcontact.report.own_surfaces.datasets import (
     fails_hindcast,
     measurement_name,
     preferred_model,
+    select_preferred_model,
     shown_octaves,
     split_measurements,
     unreliable_bands,
@@ -143,10 +144,7 @@ def draw_spectra(datasets: Datasets) -> Figure:
 
 
 def draw_forces(datasets: Datasets) -> Figure:
-    """Draw the mean force of all surfaces and contact models against the range of adhesion.
-
-    Only the contact model of the answer has intervals.
-    """
+    """Draw the mean force of all surfaces and contact models against the range of adhesion."""
     force = datasets.force
     labels = datasets.labels()
     answer_model = preferred_model(force)
@@ -167,7 +165,7 @@ def draw_forces(datasets: Datasets) -> Figure:
 def draw_works(datasets: Datasets) -> Figure:
     """Draw the work of adhesion that fits the force of each surface, and all, against the range."""
     assert datasets.fit is not None
-    fit = datasets.fit.sel(contact_model=preferred_model(datasets.fit))
+    fit = select_preferred_model(datasets.fit)
     labels = datasets.labels()
     names = fit["surface"].values.tolist()
     rho = fit["rho_fine"].values

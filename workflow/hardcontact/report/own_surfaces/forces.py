@@ -1,4 +1,4 @@
-"""Computed forces of the user's surfaces as numbers, and their ratios."""
+"""Computed and measured forces of the user's surfaces as numbers, their ratios and their fit."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
@@ -15,7 +15,7 @@ from hardcontact.report.own_surfaces.datasets import (
     Datasets,
     fails_hindcast,
     forces_at_range,
-    preferred_model,
+    select_preferred_model,
     shown_octaves,
 )
 from hardcontact.report.own_surfaces.edges import (
@@ -58,11 +58,7 @@ def force_numbers(data: Datasets) -> list[Number]:
 
 
 def _measured_share(data: Datasets) -> Number:
-    """Return the share of reliable wavelengths in the change of the force by roughness.
-
-    The source is "measured" if unreliable wavelengths change the force by at most the tolerance;
-    otherwise "unreliable" if they cause more than 90 % of the change, else "partly_unreliable".
-    """
+    """Return the share of reliable wavelengths in the change of the force by roughness."""
     reliable, unreliable = reliable_and_unreliable_change(data, "short")
     share = measured_share(reliable, unreliable)
     source: NumberSource = "unreliable" if share < 1 - NEARLY_ALL else "partly_unreliable"
@@ -92,10 +88,7 @@ def differing_sides(data: xr.Dataset) -> list[str]:
 
 
 def extrapolated_number(side_data: xr.Dataset, variable: str, name: str, data: Datasets) -> Number:
-    """Return the force, or the work of adhesion, with roughness extrapolated at one side.
-
-    It has no value if the hindcast fails or, at the short side, no exponent fits the spectrum.
-    """
+    """Return the force, or the work of adhesion, with roughness extrapolated at one side."""
     number = number_of(side_data, variable, name=name, source="extrapolated")
     side = str(side_data["side"].item())
     unknown = Number(name, np.nan, number.unit, source=number.source)
@@ -108,7 +101,7 @@ def extrapolated_number(side_data: xr.Dataset, variable: str, name: str, data: D
 
 def _logarithmic_curve(force: xr.Dataset) -> tuple[Floats, Floats]:
     """Return ln(range) and ln(force) at the computed ranges, by the preferred contact model."""
-    model_forces = force.sel(contact_model=preferred_model(force))
+    model_forces = select_preferred_model(force)
     return np.log(model_forces["rho"].values), np.log(model_forces["force"].values)
 
 
@@ -124,8 +117,7 @@ def _range_sensitivity(force: xr.Dataset) -> float:
 def pair_numbers(force: xr.Dataset, pairs: Sequence[Mapping[str, Any]]) -> list[Number]:
     """Return the force of one surface at other pairs of range and work of adhesion.
 
-    A pair is a row of resources/adhesion/pairs.csv. ln F is interpolated over ln(range), and not
-    known beyond the computed ranges.
+    A pair is a row of resources/adhesion/pairs.csv.
     """
     configured_rho, configured_work = force.attrs["rho"], force.attrs["work_of_adhesion"]
     log_ranges, log_forces = _logarithmic_curve(force)
@@ -146,12 +138,7 @@ def pair_numbers(force: xr.Dataset, pairs: Sequence[Mapping[str, Any]]) -> list[
 
 
 def comparison_numbers(data: Datasets, reference: Datasets) -> Iterator[Number]:
-    """Yield the ratio of the forces on a surface and a reference, and the octaves that cause it.
-
-    ``force_over_reference_octave_1`` is the shortest wavelength of the octave that contributes
-    most, ``force_over_reference_octave_1_factor`` its factor in the ratio. An octave adds to
-    ln(ratio) the change of its ln(amplitude) times the mean sensitivity d ln F / d ln a.
-    """
+    """Yield the ratio of the forces on a surface and a reference, and the octaves that cause it."""
     force = number_of(forces_at_range(data.force), "force")
     reference_force = number_of(forces_at_range(reference.force), "force")
     ratio = force.value / reference_force.value
@@ -178,7 +165,10 @@ def _log_distances(number: Number) -> Floats:
 
 
 def _octave_contributions(data: Datasets, reference: Datasets) -> tuple[Floats, Floats]:
-    """Return octaves (nm) that scans of both surfaces show, and their parts of ln(force ratio)."""
+    """Return octaves (nm) that scans of both surfaces show, and their parts of ln(force ratio).
+
+    A part is the change of ln(amplitude) times the mean sensitivity d ln F / d ln a.
+    """
     is_shown = shown_octaves(data) & shown_octaves(reference)
     octaves = data.sensitivity["octave"].values[is_shown]
     name = "octave_sensitivity"
@@ -194,3 +184,61 @@ def _octave_amplitudes(data: Datasets, octaves: Floats) -> Floats:
     spectrum = spectrum_of_dataset(data.spectra)
     q = 2 * np.pi / octaves[:, None] * np.geomspace(0.5, 1, WAVEVECTORS_PER_OCTAVE)
     return np.asarray(np.sqrt(np.trapezoid(q * spectrum(q), q) / (2 * np.pi)))
+
+
+def measured_numbers(fit: xr.Dataset, data: Datasets) -> list[Number]:
+    """Return the force measured on one surface, and the works that fit it at the given range."""
+    fit_at_range = fit.sel(rho_fine=fit.attrs["rho"], method="nearest")
+    numbers = [
+        number_of(fit, "measured_force", source="measured"),
+        Number("measured_force_count", int(fit["force_count"].item())),
+        Number("measured_force_sites", int(fit["site_count"].item())),
+        Number("measured_force_looks_repeated", int(fit["look_repeated"].item())),
+        number_of(fit_at_range, "work_by_range", name="measured_work", source="from_measured"),
+    ]
+    for side in differing_sides(fit):
+        side_fit = fit.sel(side=side)
+        name = f"extrapolated_work_{side}"
+        numbers += [
+            extrapolated_number(side_fit, "extrapolated_work", name, data),
+            number_of(side_fit, "transition", "nm", name=f"{name}_start"),
+        ]
+    return numbers
+
+
+def fit_numbers(fit: xr.Dataset) -> list[Number]:
+    """Return the ranges and works of adhesion that agree with all measured forces."""
+    rho = fit["rho_fine"].values
+    agrees = np.isfinite(fit["region"].values).all(axis=-1)
+    shortest, longest = fit["region_range"].values.tolist()
+    weakest, strongest = fit["region_work"].values.tolist()
+    region = number_without_value("fit_region_range", shortest, longest, "nm")
+    if fit.sizes["surface"] == 1:
+        region = region._replace(status=NoValue.ONE_FORCE)
+    elif fit["work_by_range_interval"].isnull().any():
+        region = region._replace(status=NumberStatus.NO_INTERVAL)
+    elif not agrees.any():
+        region = region._replace(status=NoValue.NO_AGREEMENT)
+    nearest = np.abs(rho - fit.attrs["rho"]).argmin()
+    return [
+        Number("fit_best_range", fit["range_of_adhesion"].item(), "nm"),
+        Number("fit_best_work", fit["work_of_adhesion"].item(), "J m-2"),
+        Number("fit_best_error", fit["best_error"].item()),
+        region,
+        number_without_value("fit_region_work", weakest, strongest, "J m-2"),
+        Number("fit_exact_pairs", int(fit["exact_pairs"].item())),
+        _widest_gap(rho, agrees),
+        Number("fit_range", fit.attrs["rho"], "nm"),
+        Number("fit_agrees", int(agrees[nearest])),
+    ]
+
+
+def _widest_gap(rho: Floats, agrees: np.ndarray) -> Number:
+    """Return the ranges (nm) beside the widest gap between ranges that agree, NaN without a gap."""
+    indices = np.flatnonzero(agrees)
+    steps = np.diff(indices)
+    if not (steps > 1).any():
+        return Number("fit_gap", np.nan, "nm")
+    widest = steps.argmax()
+    low, high = rho[indices[widest : widest + 2]].tolist()
+    return number_without_value("fit_gap", low, high, "nm")
