@@ -12,9 +12,8 @@ LAMBDAS = np.geomspace(0.01, 100, 41)
 
 def test_ruby_on_diamond_has_the_published_numbers():
     assert MODULUS == pytest.approx(289.7e9, rel=2e-4)
-    contact_radius, pressure, approach = hertz_jkr_dmt.hertz_contact(10e-6, RADIUS, MODULUS)
+    pressure = hertz_jkr_dmt.hertz_peak_pressure(10e-6, RADIUS, MODULUS)
     assert pressure == pytest.approx(137e6, rel=5e-3)  # 135 MPa are published
-    assert approach == pytest.approx(contact_radius**2 / RADIUS)
     tabor = hertz_jkr_dmt.tabor_parameter(WORK, RADIUS, MODULUS, SPACING)
     assert tabor == pytest.approx(0.618, abs=5e-4)
     assert hertz_jkr_dmt.maugis_parameter(tabor) == pytest.approx(0.7155, abs=5e-4)

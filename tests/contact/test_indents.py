@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from periodic_maps import CONTACT, periodic_map, periodic_noise
 
-from hardcontact.contact.bearing_area import ContactPixels, all_contact_pixels
+from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.indents import MAP_HALF_WIDTH, indent_sizes, indents_of_scans
 
@@ -34,8 +34,8 @@ def test_indents_of_scans_equal_those_of_each_pair():
 def test_indents_drawn_by_hand_have_known_sizes():
     # A row of three pixels with one more at a corner, and a lone pixel: 0 is the deepest.
     offsets = np.array([[10, 10], [10, 11], [40, 40], [10, 12], [11, 13]])
-    contact = ContactPixels(np.array([-3.0, -2.5, -2.0, -1.5, -1.0]), offsets)
-    depth, equal_area_side, longer_side, count = indent_sizes(contact, 5.0)
+    gaps = np.array([-3.0, -2.5, -2.0, -1.5, -1.0])
+    depth, equal_area_side, longer_side, count = indent_sizes(gaps, offsets, 5.0)
     assert (depth, count) == (2.0, 2)
     assert equal_area_side == pytest.approx(2 * 5.0)  # four pixels
     assert longer_side == 4 * 5.0

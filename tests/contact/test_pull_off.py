@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 import xarray as xr
 from direct_sum import direct_force, direct_total, gap_of_bodies
-from periodic_maps import CONTACT, make_bodies, periodic_map, periodic_noise
+from periodic_maps import CONTACT, make_bodies, periodic_noise
 
-from hardcontact.contact.pull_off import make_force_function, pull_off_dataset
+from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.contact.scan_pull_off import finer_pixel_ratio, wider_window_change
 
 RHOS = [1.0, 5.6]
@@ -69,10 +69,3 @@ def test_finer_pixels_change_only_the_contact_area_at_a_small_range(pixels, area
     forces = pull_off_dataset(rough_bodies(), contact, [contact.rho]).pull_off_force
     ratio = finer_pixel_ratio(rough_bodies(), contact, forces.sel(contact_model="plastic"))
     assert ratio == pytest.approx(area_ratio, rel=0.05)
-
-
-@pytest.mark.parametrize("missing", ["window", "rho"])
-def test_a_force_without_a_field_of_the_contact_says_which(missing):
-    surface = periodic_map(periodic_noise(96, 20.0, 1), 50.0)
-    with pytest.raises(ValueError, match=f"contact: expected {missing}, found none"):
-        make_force_function(replace(CONTACT, **{missing: np.nan}))(surface)

@@ -17,7 +17,7 @@ from hardcontact.base.units import NANOMETRE, NEWTON, NM, PASCAL
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import Bodies, largest_contact_gap, reference_gap_map
 
-#: The results of `asperity_sizes`, with their units.
+#: The quantities of `asperity_sizes`, with their units.
 ASPERITY_UNITS = {
     "largest_share": "1", "two_largest_share": "1", "asperity_count": "1", "extent": "nm",
 }  # fmt: skip
@@ -28,11 +28,8 @@ CARRIED_SHARE = 0.9
 def trace_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> xr.Dataset:
     """Return the gap, adhesive pressure and force of one plastic contact of the array.
 
-    Returns ``gap`` (y, x) in nm, negative where rigid bodies would overlap, ``adhesive_pressure``
-    (y, x) in Pa, and ``force`` (separation) in N, negative because it attracts. Positions y and x
-    are relative to the apex.
+    Gaps are negative where rigid bodies would overlap, forces because they attract.
     """
-    contact.require("rho", "work")
     pixel_size = bodies.geometry.pixel_size
     rho = contact.rho
     gap = reference_gap_map(bodies, index)
@@ -57,11 +54,7 @@ def trace_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> x
 def find_carrying_asperities(
     bodies: Bodies, contact: Contact, contact_indices: NDArray[np.int_], ranges: Sequence[float]
 ) -> xr.Dataset:
-    """Return the asperities that carry the force of plastic contacts.
-
-    `contact_indices` are row and column (contact, 2). Variables (contact, rho) have the names in
-    ASPERITY_UNITS.
-    """
+    """Return ASPERITY_UNITS (contact, rho) of plastic contacts, given by row and column."""
     pixel_size = bodies.geometry.pixel_size
     contact_pixel_count = contact.pixel_count(pixel_size)
     offset = bodies.geometry.offsets()
@@ -75,9 +68,7 @@ def find_carrying_asperities(
     values = np.reshape(asperity_values, (len(contact_indices), len(ranges), -1))
     return xr.Dataset(
         variables_of_columns(values, ("contact", "rho"), ASPERITY_UNITS),
-        {
-            "rho": ("rho", ranges, NM),
-        }
+        {"rho": ("rho", ranges, NM)}
         | {axis: ("contact", contact_indices[:, k]) for k, axis in enumerate(CONTACT_AXES)},
         {"share": CARRIED_SHARE, "sphere_radius": bodies.geometry.radius},
     )
@@ -88,9 +79,8 @@ def asperity_sizes(
 ) -> tuple[float, float, int, float]:
     """Return the quantities of ASPERITY_UNITS for the asperities that carry a share of the force.
 
-    They are the shares of the strongest asperity and of the two strongest, the number of
-    asperities, and the diameter (nm) of the circle about the centre of force that holds the share.
-    The attraction (n, n) is proportional to the force on each pixel.
+    The extent is the diameter of the circle about the centre of force that holds the share. The
+    attraction (n, n) is proportional to the force on each pixel.
     """
     total = attraction.sum()
     is_carrier = attraction >= least_carrying_attraction(attraction, share)

@@ -1,9 +1,8 @@
-"""Rigid and plastic (bearing area) contact: closest approach and contact pixels.
+"""The contact pixels of rigid and plastic (bearing area) contact: the N smallest reference gaps.
 
-The contact pixels have the N smallest reference gaps (`geometry`). To find them without reading all
-pixels, the map is cut into square cells. The highest point of a cell, or of a group of cells, gives
-a lower bound on its gaps. The N-th smallest gap in a few cells is an upper limit of the gaps in
-contact. Only cells with a bound below the limit are read.
+To find them without reading all pixels, the map is cut into square cells. The highest point of a
+cell, or of a group of cells, gives a lower bound on its gaps. The N-th smallest gap in a few cells
+is an upper limit of the gaps in contact. Only cells with a bound up to the limit are read.
 """
 
 from dataclasses import dataclass
@@ -14,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
-from hardcontact.contact.geometry import Bodies, largest_contact_gap
+from hardcontact.contact.geometry import Bodies
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Pixels per row of a cell. This number and the next four only change the speed.
@@ -25,8 +24,8 @@ GROUP_CELLS = 16
 CELLS_AT_ONCE = 256
 #: Contacts that are searched at once.
 CONTACTS_AT_ONCE = 50
-#: Cells that are read for a limit, relative to the fewest that have N pixels. On a smooth surface
-#: fewer cells would lie on one slope, and their limit would be high.
+#: Cells that are read for a limit, relative to the fewest that have N pixels. Fewer cells could lie
+#: on one slope, and their limit would be high.
 LIMIT_CELL_FACTOR = 2
 
 
@@ -112,10 +111,9 @@ class WindowCells(NamedTuple):
 class _Windows:
     """The cells of the substrate in the windows of contacts, with lower bounds (nm) on their gaps.
 
-    `apexes` (contact, 2) are pixels of the substrate. Cells are numbered along each axis of the
-    window. Bounds outside the window are infinite. `roughness_maxima` has the highest point of the
-    roughness on the cells of the sphere that one cell of the substrate may meet, by the first of
-    them; it is None for a smooth sphere.
+    `roughness_maxima` has the highest point of the roughness on the cells of the sphere that one
+    cell of the substrate may meet, by the first of them; it is None for a smooth sphere. Bounds
+    outside the window are infinite.
     """
 
     def __init__(
@@ -202,24 +200,23 @@ def _find_contact_pixels(windows: _Windows, contact_pixel_count: int) -> list[Co
     # Cells of lower bounds, from all groups, give lower limits.
     limits = np.minimum(limits, _limits_of_gaps(windows, cells, contact_pixel_count))
     cells = cells.cells_within(limits)
-    batches = [
-        slice(start, start + CELLS_AT_ONCE)
+    gaps_of_batches = [
+        _gaps_up_to(windows, cells.select(slice(start, start + CELLS_AT_ONCE)), limits)
         for start in range(0, len(cells.contact_numbers), CELLS_AT_ONCE)
     ]
-    low_gaps = [_gaps_up_to(windows, cells.select(batch), limits) for batch in batches]
-    contacts, gaps, offsets = (np.concatenate(arrays) for arrays in zip(*low_gaps, strict=True))
+    contacts, gaps, offsets = (
+        np.concatenate(arrays) for arrays in zip(*gaps_of_batches, strict=True)
+    )
     ends = np.searchsorted(contacts, np.arange(1, len(limits)))
-    return [
-        _pixels_of_smallest_gaps(*candidates, contact_pixel_count)
-        for candidates in zip(np.split(gaps, ends), np.split(offsets, ends), strict=True)
-    ]
+    contact_pixels = []
+    for low_gaps, low_offsets in zip(np.split(gaps, ends), np.split(offsets, ends), strict=True):
+        order = np.lexsort((low_offsets[:, 1], low_offsets[:, 0], low_gaps))[:contact_pixel_count]
+        contact_pixels.append(ContactPixels(low_gaps[order], low_offsets[order]))
+    return contact_pixels
 
 
 def _limits_of_gaps(windows: _Windows, cells: WindowCells, contact_pixel_count: int) -> Floats:
-    """Return the N-th smallest gap (contact,) in the cells of lowest bounds: an upper limit.
-
-    N is `contact_pixel_count`. The limit is infinite if the cells have fewer gaps.
-    """
+    """Return the N-th smallest gap (contact,) in the cells of lowest bounds, or infinity."""
     ends = np.searchsorted(cells.contact_numbers, np.arange(cells.contact_numbers[-1] + 2))
     cell_count = LIMIT_CELL_FACTOR * -(-contact_pixel_count // CELL_PIXELS**2)
     cell_count = min(cell_count, np.diff(ends).min())
@@ -243,24 +240,12 @@ def _lowest_columns(bounds: Floats, count: int) -> NDArray[np.int_]:
 def _gaps_up_to(
     windows: _Windows, cells: WindowCells, limits: Floats
 ) -> tuple[NDArray[np.int_], Floats, NDArray[np.int_]]:
-    """Return contact numbers, reference gaps and offsets (gap, 2) of all gaps up to the limits."""
+    """Return contact numbers, reference gaps and offsets (gap, 2) up to the limits (contact,)."""
     gaps, rows, columns = windows.cell_gaps(cells)
     low_indices = np.flatnonzero(gaps <= limits[cells.contact_numbers, None, None])
     cell, y, x = np.unravel_index(low_indices, gaps.shape)
     offsets = np.stack([rows[cell, y], columns[cell, x]], axis=1)
     return cells.contact_numbers[cell], gaps.ravel()[low_indices], offsets
-
-
-def _pixels_of_smallest_gaps(
-    gaps: Floats, offsets: NDArray[np.int_], contact_pixel_count: int
-) -> ContactPixels:
-    """Return the pixels of the smallest gaps, ascending; equal gaps in the order of offsets."""
-    if gaps.size > contact_pixel_count:
-        # Few gaps are left to sort, with all that equal the largest one.
-        is_low = gaps <= largest_contact_gap(gaps, contact_pixel_count)
-        gaps, offsets = gaps[is_low], offsets[is_low]
-    order = np.lexsort((offsets[:, 1], offsets[:, 0], gaps))[:contact_pixel_count]
-    return ContactPixels(gaps[order], offsets[order])
 
 
 def all_contact_pixels(bodies: Bodies, contact_pixel_count: int) -> ContactPixels:

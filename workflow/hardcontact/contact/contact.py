@@ -10,18 +10,14 @@ RIGID = "rigid"
 CONTACT_MODELS = [RIGID, PLASTIC]
 #: Axes of the array of contacts.
 CONTACT_AXES = ("contact_y", "contact_x")
-#: Dimensions over which forces are averaged. `sphere_scan` numbers the scans of the sphere, or, if
-#: there are few, the positions on them at which the sphere touches. `contact` numbers contacts that
-#: were selected from the array.
+#: Dimensions over which forces are averaged. `sphere_scan` numbers the scans of the sphere, or
+#: positions on one of them. `contact` numbers contacts that were selected from the array.
 CONTACT_DIMENSIONS = ("sphere_scan", "contact", *CONTACT_AXES)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Contact:
-    """Sphere, loading, adhesion and array that all contacts of a computation share.
-
-    Preload, hardness and `plastic` are the loading. `require` refuses fields that are left out.
-    """
+    """Sphere, loading (preload, hardness, `plastic`), adhesion and array of contacts."""
 
     radius: float  #: Radius of the sphere in nm.
     preload: float  #: Load in N.
@@ -41,18 +37,10 @@ class Contact:
 
     @property
     def area(self) -> float:
-        """The contact area, preload over hardness, in nm²; zero in rigid contact, at a point."""
+        """The contact area, preload over hardness, in nm²; zero in rigid contact."""
         return self.preload / self.hardness * 1e18 if self.plastic else 0.0
 
-    def require(self, *fields: str) -> None:
-        """Raise ValueError if a field that a computation needs was left out."""
-        if missing_fields := [field for field in fields if math.isnan(getattr(self, field))]:
-            raise ValueError(f"contact: expected {' and '.join(missing_fields)}, found none")
-
     def pixel_count(self, pixel_size: float) -> int:
-        """Return the least number of pixels of a size (nm) that carry the preload.
-
-        It is 1 in rigid contact. Source: the paper, plastic analysis.
-        """
+        """Return the least number of pixels of a size (nm) that carry the preload, at least 1."""
         # The factor below one keeps rounding errors from adding a pixel.
         return max(1, math.ceil(self.area / pixel_size**2 * (1 - 1e-12)))

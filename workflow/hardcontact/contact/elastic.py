@@ -1,11 +1,9 @@
 """Elastic contact without plasticity: a rough body is pressed into a half space, or pulled off it.
 
 Some hundred pixels touch, so that their forces follow from one dense matrix. Attraction acts on all
-pixels. The half space is flat and periodic and has the effective modulus of both bodies. Equations
-are in nm, nN, GPa and J/m²; `pressure_at_load` and `adhesive_pull_off` take and return N and Pa.
+pixels. The flat, periodic half space has the effective modulus of both bodies. Equations are in nm,
+nN, GPa and J/m²; `pressure_at_load` and `adhesive_pull_off` take and return N and Pa.
 """
-
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -58,9 +56,8 @@ class HalfSpace:
 def contact_forces(influence: Floats, gaps: Floats, load: float) -> tuple[Floats, float]:
     """Return the contact forces (k,) on pixels with gaps (k,), and the approach (nm) of the bodies.
 
-    Contact forces (nN) repel; they add up to the load. A pixel with a force has no gap left, a
-    pixel without a force has no overlap. Source: the primal-dual active set of Hintermüller, Ito
-    and Kunisch, SIAM J. Optim. 13 (2002) 865. Raises ValueError if it finds no equilibrium.
+    Contact forces (nN) repel; they add up to the load. Source: the primal-dual active set of
+    Hintermüller, Ito and Kunisch, SIAM J. Optim. 13 (2002) 865.
     """
     touching = np.ones(len(gaps), bool)
     for _ in range(MAX_ITERATIONS):
@@ -78,21 +75,14 @@ def contact_forces(influence: Floats, gaps: Floats, load: float) -> tuple[Floats
     raise ValueError(f"{EXPECTED_EQUILIBRIUM}, found none")
 
 
-class PressedContact(NamedTuple):
-    """Two bodies that a load presses together."""
+def press(half_space: HalfSpace, gap: Floats, load: float) -> tuple[Floats, Floats]:
+    """Return contact forces (n, n) in nN under a load (nN), and the gap (n, n) in nm that is left.
 
-    forces: Floats  #: Contact forces (n, n) in nN.
-    gap: Floats  #: Gap (n, n) in nm that is left.
-
-
-def press(half_space: HalfSpace, gap: Floats, load: float) -> PressedContact:
-    """Press a rough body onto a half space with a load (nN), from a gap (n, n) at any approach.
-
-    The lowest pixels touch first; pixels that would overlap join. Raises ValueError if more than
-    MAX_TOUCHING_PIXELS may touch, or if no equilibrium is found.
+    The bodies are pressed together from a gap at any approach. The lowest pixels touch first; then
+    pixels that would overlap join. Raises ValueError if more than MAX_TOUCHING_PIXELS may touch.
     """
     if load == 0:  # The lowest pixel touches without a force.
-        return PressedContact(np.zeros_like(gap), gap - gap.min())
+        return np.zeros_like(gap), gap - gap.min()
     is_candidate = gap <= largest_contact_gap(gap, FIRST_TOUCHING_PIXELS)
     while True:
         candidates = np.argwhere(is_candidate)
@@ -106,9 +96,9 @@ def press(half_space: HalfSpace, gap: Floats, load: float) -> PressedContact:
         gap_left = gap + half_space.displacement(all_forces) - approach
         overlaps = gap_left < -MAX_OVERLAP
         if not overlaps.any():
-            return PressedContact(all_forces, gap_left)
-        # Few pixels under the whole load sink so far that most others overlap, though few of them
-        # touch in the end: so the candidates at most double.
+            return all_forces, gap_left
+        # Few pixels under the whole load sink so far that most others overlap at first: so the
+        # candidates at most double.
         other_gaps = np.where(is_candidate, np.inf, gap_left)
         added_count = min(int((overlaps & ~is_candidate).sum()), len(candidates))
         is_candidate |= other_gaps <= largest_contact_gap(other_gaps, added_count)
@@ -117,7 +107,8 @@ def press(half_space: HalfSpace, gap: Floats, load: float) -> PressedContact:
 def pressure_at_load(gap: Floats, pixel_size: float, modulus: float, load: float) -> Floats:
     """Return the pressure (n, n) in Pa of elastic contact without adhesion at a load (N)."""
     half_space = HalfSpace(len(gap), pixel_size, modulus)
-    return press(half_space, gap, load / NANONEWTON).forces / pixel_size**2 * GIGAPASCAL
+    forces, _ = press(half_space, gap, load / NANONEWTON)
+    return forces / pixel_size**2 * GIGAPASCAL
 
 
 def adhesive_pull_off(
@@ -125,9 +116,8 @@ def adhesive_pull_off(
 ) -> tuple[float, float]:
     """Return the pull-off forces (N) of one window, rigid and elastic.
 
-    The load is the sum of the contact forces. The elastic force is the maximum of attraction minus
-    load, over loads (the paper, elastic analysis). Raises ValueError if attraction stretches the
-    bodies by over rho/10, or if no equilibrium is found.
+    The elastic force is the maximum of attraction minus load, over loads (the paper, elastic
+    analysis). Raises ValueError if attraction stretches the bodies by over rho/10.
     """
     rigid_gap = gap - gap.min()
     strength = work / rho * pixel_size**2
@@ -145,10 +135,10 @@ def adhesive_pull_off(
     def pull(load: float, attraction: Floats) -> tuple[float, Floats]:
         """Return the force (nN) and the attraction in equilibrium, from a first attraction."""
         for _ in range(MAX_ITERATIONS):
-            pressed = press(half_space, rigid_gap - half_space.displacement(attraction), load)
+            _, gap_left = press(half_space, rigid_gap - half_space.displacement(attraction), load)
             former_attraction = attraction
             # Gaps may be negative by MAX_OVERLAP.
-            attraction = strength * np.exp(-np.maximum(pressed.gap, 0) / rho)
+            attraction = strength * np.exp(-np.maximum(gap_left, 0) / rho)
             if np.abs(attraction - former_attraction).sum() < RELATIVE_RESIDUAL * attraction.sum():
                 return float(attraction.sum()) - load, attraction
         raise ValueError(f"{EXPECTED_EQUILIBRIUM}, found none")

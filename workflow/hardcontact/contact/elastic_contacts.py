@@ -17,7 +17,7 @@ from hardcontact.contact.geometry import (
     reference_gap_map,
     square_around_lowest,
 )
-from hardcontact.contact.hertz_jkr_dmt import hertz_contact
+from hardcontact.contact.hertz_jkr_dmt import hertz_peak_pressure
 
 #: Largest number of pixels per row of the map of the pressure in one contact.
 PRESSURE_MAP_PIXELS = 64
@@ -28,13 +28,6 @@ ELASTIC_UNITS = {
     "elastic_contact_area": "nm2", "share_above_hardness": "1", "peak_pressure": "Pa",
     "mean_pressure": "Pa", "rigid_pull_off_force": "N", "elastic_pull_off_force": "N",
 }  # fmt: skip
-
-
-def _pressure_metrics(pressure: Floats, pixel_size: float, hardness: float) -> tuple[float, ...]:
-    """Return touching area (nm²), its share above the hardness, peak and mean pressure in Pa."""
-    touching = pressure[pressure > 0]
-    share = float(np.mean(touching > hardness))
-    return touching.size * pixel_size**2, share, touching.max(), touching.mean()
 
 
 def _pressure_around_peak(pressure: Floats, pixel_size: float) -> xr.DataArray:
@@ -50,13 +43,10 @@ def _pressure_around_peak(pressure: Floats, pixel_size: float) -> xr.DataArray:
 def solve_elastic_contacts(
     bodies: Bodies, contact: Contact, contact_indices: NDArray[np.int_], modulus: float
 ) -> xr.Dataset:
-    """Solve some contacts of two bodies with elasticity, without plasticity.
+    """Return ELASTIC_UNITS (contact) of contacts, given by row and column in the array.
 
-    The indices (contact, 2) are row and column in the array of contacts. Returns variables
-    (contact) with the names in ELASTIC_UNITS, and ``pressure`` (y, x) in Pa about the peak of the
-    first contact. Raises ValueError if `elastic` does not solve a contact.
+    ``pressure`` (y, x) in Pa is about the peak of the first contact.
     """
-    contact.require("rho", "work")
     geometry = bodies.geometry
     pixel_size = geometry.pixel_size
     period_pixels = min(bodies.substrate.pixels, geometry.window_pixels)
@@ -71,11 +61,13 @@ def solve_elastic_contacts(
             window_gap = square_around_lowest(gap, pull_off_pixels)
             pressure = pressure_at_load(period_gap, pixel_size, modulus, contact.preload)
             forces = adhesive_pull_off(window_gap, pixel_size, modulus, contact.work, contact.rho)
+            touching = pressure[pressure > 0]
+            area = touching.size * pixel_size**2
+            share = float(np.mean(touching > contact.hardness))
             # In the order of ELASTIC_UNITS.
-            metrics.append((*_pressure_metrics(pressure, pixel_size, contact.hardness), *forces))
+            metrics.append((area, share, touching.max(), touching.mean(), *forces))
             pressures.append(pressure)
     variables = variables_of_columns(np.array(metrics), "contact", ELASTIC_UNITS)
-    hertz = hertz_contact(contact.preload, geometry.radius, modulus)
     return xr.Dataset(
         variables | {"pressure": _pressure_around_peak(pressures[0], pixel_size)},
         {axis: ("contact", contact_indices[:, k]) for k, axis in enumerate(CONTACT_AXES)},
@@ -87,7 +79,7 @@ def solve_elastic_contacts(
             "work_of_adhesion": contact.work,
             "window": pull_off_pixels * pixel_size,
             "sphere_radius": geometry.radius,
-            "hertz_peak_pressure": hertz.peak_pressure,
+            "hertz_peak_pressure": hertz_peak_pressure(contact.preload, geometry.radius, modulus),
         },
     )
 

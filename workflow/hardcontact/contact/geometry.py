@@ -1,12 +1,11 @@
 """The sphere over a surface: its paraboloid, the array of contacts, their gaps in a window.
 
 The reference gap of a pixel is g = y - u - z in nm: the height y of the sphere, less its roughness
-u (positive towards the substrate) and the height z of the substrate. It is the gap if the apex is
-at height 0. If the apex is at the height m, the gap is g + m. At closest approach m is minus the
-largest reference gap of the contact pixels.
+u (positive towards the substrate) and the height z of the substrate. If the apex is at the height
+m, the gap is g + m. At closest approach m is minus the largest reference gap of the contact pixels.
 
-The substrate is periodic. Along one axis, a window of n pixels about a contact at the pixel c holds
-the pixels c - n/2 to c + n/2 - 1, counted on over periods.
+Along one axis, a window of n pixels about a contact at the pixel c holds the pixels c - n/2 to
+c + n/2 - 1, counted on over periods of the substrate.
 """
 
 from dataclasses import dataclass, replace
@@ -32,15 +31,11 @@ class ContactGeometry:
     positions: NDArray[np.int_]
 
     def paraboloid(self, offsets: ArrayLike) -> Floats:
-        """Return the height (nm) of the smooth sphere along one axis, k pixels from its apex.
-
-        It is (k p)²/2R with the pixel size p. The height at the pixel (k, l) is the sum over both
-        axes, which makes the force sum separable.
-        """
+        """Return the height (nm) of the smooth sphere along one axis; heights of both axes add."""
         return (np.asarray(offsets) * self.pixel_size) ** 2 / (2 * self.radius)
 
     def window_mask(self, offsets: NDArray[np.int_]) -> NDArray[np.bool_]:
-        """Return the mask of offsets (pixels) from the apex that lie in the analysis window."""
+        """Return whether offsets from the apex (pixels) lie in the window, along one axis."""
         return (offsets >= -(self.window_pixels // 2)) & (offsets < self.window_pixels // 2)
 
     def apexes(self) -> NDArray[np.int_]:
@@ -76,10 +71,8 @@ def count_window_pixels(window: float, pixel_size: float) -> int:
 
 
 def contact_positions(pixels: int, contacts_per_row: int) -> NDArray[np.int_]:
-    """Return the pixels (contacts_per_row,) of contacts evenly over one period of the substrate.
-
-    The first lies a quarter of a step from the border, so that no two contacts are mirror images.
-    """
+    """Return the pixels (contacts_per_row,) of contacts evenly over one period of the substrate."""
+    # A quarter of a step from the border, no two contacts are mirror images.
     steps = np.arange(contacts_per_row) + 0.25
     return np.floor(steps * pixels / contacts_per_row).astype(int)
 
@@ -87,10 +80,7 @@ def contact_positions(pixels: int, contacts_per_row: int) -> NDArray[np.int_]:
 def sample_contacts(
     rng: np.random.Generator, contacts_per_row: int, count: int
 ) -> NDArray[np.int_]:
-    """Sample the indices (count, 2) of contacts from the array, each at most once.
-
-    From the same seed, a larger sample begins with the smaller one.
-    """
+    """Sample the indices (count, 2) of contacts from the array, each at most once."""
     numbers = rng.permutation(contacts_per_row**2)[:count]
     return np.stack(np.divmod(numbers, contacts_per_row), axis=1)
 
@@ -100,7 +90,6 @@ def join_bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact
 
     `sphere` is the mirrored scan of its roughness, or None for a smooth sphere.
     """
-    contact.require("window")
     substrate = _convert_precision(substrate)
     sphere_roughness = None
     if sphere is not None:
@@ -122,11 +111,7 @@ def join_bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact
 
 
 def spheres_at_positions(sphere: HeightMap, positions_per_row: int) -> list[HeightMap]:
-    """Return copies of the mirrored scan of a sphere, each moved to touch at another position.
-
-    The positions form an even square grid. A single position is the middle of the scan, where
-    `join_bodies` puts the apex.
-    """
+    """Return the mirrored scan of a sphere, moved to touch at each position of a square grid."""
     scan_pixels = sphere.pixels // 2
     positions = (2 * np.arange(positions_per_row) + 1) * scan_pixels // (2 * positions_per_row)
     shifts = (scan_pixels // 2 - positions).tolist()
@@ -137,13 +122,13 @@ def spheres_at_positions(sphere: HeightMap, positions_per_row: int) -> list[Heig
 
 
 def read_bodies(substrate_path: str, sphere_path: str | None, contact: Contact) -> Bodies:
-    """Bring two height maps of files of the study together, as `join_bodies` does."""
+    """Bring two height maps of the study together, as `join_bodies` does."""
     sphere = load_height_map(sphere_path) if sphere_path else None
     return join_bodies(load_height_map(substrate_path), sphere, contact)
 
 
 def _convert_precision(surface: HeightMap) -> HeightMap:
-    """Return a map whose heights are in double precision, unless they are in single precision."""
+    """Return a map with heights in double precision, unless they are in single precision."""
     precision = np.float32 if surface.heights.dtype == np.float32 else np.float64
     return replace(surface, heights=surface.heights.astype(precision, copy=False))
 
@@ -171,8 +156,7 @@ def reference_gap_map(
 ) -> Floats:
     """Return the reference gaps (n, n) in the window of one contact; the apex is at (n/2, n/2).
 
-    `index` is row and column in the array. The `sphere_heights` (n, n) in the window are the same
-    for all contacts; None computes them.
+    `sphere_heights` (n, n) are the same for all contacts; None computes them.
     """
     geometry = bodies.geometry
     offset = geometry.offsets()
@@ -184,10 +168,7 @@ def reference_gap_map(
 
 
 def largest_contact_gap(gap: Floats, contact_pixel_count: int) -> float:
-    """Return the largest gap (nm) of the contact pixels, which have the smallest gaps.
-
-    The gap may have any shape.
-    """
+    """Return the largest of the smallest gaps (nm), which are those of the contact pixels."""
     if gap.ndim == 2 and contact_pixel_count <= len(gap):
         # As many rows as pixels touch have their lowest gap at or below this bound.
         row_minima = gap.min(axis=1)
@@ -196,10 +177,7 @@ def largest_contact_gap(gap: Floats, contact_pixel_count: int) -> float:
 
 
 def square_around_lowest(gap: Floats, pixels: int) -> Floats:
-    """Return the square (pixels, pixels) about the lowest point of a gap map (n, n).
-
-    A square that would cross the border of the map is moved into it.
-    """
+    """Return the square (pixels, pixels) of a gap map about its lowest point, within the map."""
     lowest = np.unravel_index(gap.argmin(), gap.shape)
     row, column = np.clip(np.array(lowest) - pixels // 2, 0, gap.shape[0] - pixels)
     return gap[row : row + pixels, column : column + pixels]

@@ -6,7 +6,7 @@ the sphere, E* the effective modulus. Pull-off forces are positive. Arrays broad
 
 import math
 from enum import StrEnum
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from hardcontact.base.number import Number
 from hardcontact.base.units import NANOMETRE
 from hardcontact.contact.contact import Contact
 
-#: A number or an array of any shape; arrays broadcast.
+#: A number or an array.
 Values = Any
 #: Work in J/m² to part diamond along (111): no known solids adhere more strongly. Source: J. E.
 #: Field, The Properties of Diamond (Academic Press, 1979).
@@ -22,33 +22,20 @@ STRONGEST_WORK = 10.6
 #: Effective modulus in Pa of ruby on diamond. It stands here, too, because an installed library has
 #: no resources/; a test compares it with `published.effective_modulus`.
 RUBY_ON_DIAMOND_MODULUS = 1 / ((1 - 0.29**2) / 365e9 + (1 - 0.22**2) / 1010e9)
-#: Hardness in Pa below which this modulus is not assumed: a tenth of the ruby's. Moduli are ten to
-#: some hundred times the hardness, so that softer bodies may be ten times as compliant as ruby on
-#: diamond.
+#: Hardness in Pa below which this modulus is not assumed: a tenth of the ruby's. Softer bodies may
+#: be ten times as compliant, because moduli are ten to some hundred times the hardness.
 SOFT_HARDNESS = 2.5e9
 #: Largest relative change of the force by elasticity that is negligible.
 MAX_SOFTENING = 0.1
 
 
-class HertzContact(NamedTuple):
-    """A smooth elastic sphere on a flat without adhesion."""
-
-    contact_radius: float  #: In nm.
-    peak_pressure: float  #: In Pa.
-    approach: float  #: In nm.
-
-
-def hertz_contact(load: float, radius: float, modulus: float) -> HertzContact:
-    """Return the contact of a sphere under a load: a³ = 3FR/4E*, p0 = 3F/2πa², approach a²/R.
+def hertz_peak_pressure(load: float, radius: float, modulus: float) -> float:
+    """Return the peak pressure p0 = 3F/2πa² of a sphere under a load F: a³ = 3FR/4E*.
 
     Johnson, Contact Mechanics (Cambridge University Press, 1985), chapter 4.
     """
     a = np.cbrt(0.75 * load * radius * NANOMETRE / modulus)
-    return HertzContact(
-        contact_radius=a / NANOMETRE,
-        peak_pressure=1.5 * load / (np.pi * a**2),
-        approach=a**2 / (radius * NANOMETRE) / NANOMETRE,
-    )
+    return float(1.5 * load / (np.pi * a**2))
 
 
 def jkr_pull_off(work: Values, radius: Values) -> Values:
@@ -73,10 +60,7 @@ def smooth_pull_off(work: Values, radius: Values, area: Values, rho: Values) -> 
 
 
 def limit_forces(forces: Values, bound: Values) -> Values:
-    """Return forces or ends of intervals, at most a bound, in the same unit; infinite ends stay.
-
-    workflow/report/theory.md (Upper bound of the force) has the proof for a smooth sphere.
-    """
+    """Return forces or ends of intervals, at most a bound; infinite ends stay."""
     return np.where(np.isinf(forces), forces, np.minimum(forces, bound))
 
 
@@ -101,8 +85,7 @@ def pull_off_coefficient(maugis: Values) -> Values:
     """Return F/πWR, from 2 (DMT) to 3/2 (JKR): 7/4 - ¼ (4.04 λ^1.4 - 1)/(4.04 λ^1.4 + 1).
 
     This fit of Carpick, Ogletree and Salmeron, J. Colloid Interface Sci. 211 (1999) 395, was taken
-    from Grierson, Flater and Carpick, J. Adhes. Sci. Technol. 19 (2005) 291. It is within 1.7 % of
-    the exact solution (Maugis, section 6).
+    from Grierson, Flater and Carpick, J. Adhes. Sci. Technol. 19 (2005) 291.
     """
     scaled_maugis = 4.04 * np.asarray(maugis) ** 1.4
     return 7 / 4 - (scaled_maugis - 1) / (scaled_maugis + 1) / 4
@@ -114,10 +97,7 @@ def effective_work_of_adhesion(force: Values, radius: Values, coefficient: Value
 
 
 class Elasticity(StrEnum):
-    """Whether elasticity reduces the force of a smooth sphere by over MAX_SOFTENING (SOFT) or not.
-
-    UNKNOWN: the effective modulus is not known.
-    """
+    """Whether elasticity reduces the force of a smooth sphere by over MAX_SOFTENING: then SOFT."""
 
     HARD, SOFT, UNKNOWN = "hard", "soft", "unknown"
 
@@ -128,10 +108,7 @@ def assumed_modulus(hardness: float) -> float:
 
 
 def judge_tabor_parameter(contact: Contact, effective_modulus: float) -> Number:
-    """Return the Tabor parameter with the range of adhesion in place of z0.
-
-    Its status is an `Elasticity`: whether elasticity matters.
-    """
+    """Return the Tabor parameter with the range in place of z0; the status is an `Elasticity`."""
     if math.isnan(effective_modulus):
         return Number("tabor_parameter", effective_modulus, status=Elasticity.UNKNOWN)
     value = float(tabor_parameter(contact.work, contact.radius, effective_modulus, contact.rho))

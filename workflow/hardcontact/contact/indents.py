@@ -2,15 +2,16 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
+from numpy.typing import NDArray
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import stack, variables_of_columns
 from hardcontact.base.progress import progress
 from hardcontact.base.units import NEWTON, NM
-from hardcontact.contact.bearing_area import ContactPixels, all_contact_pixels
+from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import Bodies, join_bodies, reference_gaps
 from hardcontact.contact.patches import label_patches
@@ -19,29 +20,22 @@ from hardcontact.surfaces.height_map import HeightMap
 
 #: Pixels on either side of the deepest pixel in the maps of one contact.
 MAP_HALF_WIDTH = 32
-#: The fields of `IndentSizes`, with their units.
+#: The quantities of `indent_sizes`, with their units: depth of the deepest pixel, side of a square
+#: with the area of the largest indent, longer side of its bounding box, and number of indents.
 INDENT_UNITS = {"depth": "nm", "equal_area_side": "nm", "longer_side": "nm", "indent_count": "1"}
 
 
-class IndentSizes(NamedTuple):
-    """The indents of one contact; lengths are in nm."""
-
-    depth: float  #: Of the deepest pixel.
-    equal_area_side: float  #: Side of a square with the area of the largest indent.
-    longer_side: float  #: Longer side of the bounding box of the largest indent.
-    indent_count: int
-
-
-def indent_sizes(pixels: ContactPixels, pixel_size: float) -> IndentSizes:
-    """Return depth, sizes and number of the indents of one contact."""
-    gaps, offsets = pixels
+def indent_sizes(
+    gaps: Floats, offsets: NDArray[np.int_], pixel_size: float
+) -> tuple[float, float, float, int]:
+    """Return INDENT_UNITS of one contact from its `ContactPixels`."""
     labels, count = label_patches(offsets)
     indent_pixel_counts = np.bincount(labels)[labels]  # by pixel, the deepest pixel first
     # Of equally large indents, this is the deepest one.
     largest_indent = offsets[labels == labels[indent_pixel_counts.argmax()]]
     equal_area_side = np.sqrt(len(largest_indent)) * pixel_size
     longer_side = (np.ptp(largest_indent, axis=0).max() + 1) * pixel_size
-    return IndentSizes(gaps[-1] - gaps[0], equal_area_side, longer_side, count)
+    return gaps[-1] - gaps[0], equal_area_side, longer_side, count
 
 
 def indents_of_scans(
@@ -50,11 +44,11 @@ def indents_of_scans(
     contact: Contact,
     preloads: Sequence[float],
 ) -> xr.Dataset:
-    """Return the indents that every substrate scan leaves in every sphere scan.
+    """Return the indents that every substrate scan leaves in every sphere scan, at preloads in N.
 
-    The preloads (N) replace the preload of the contact. Returns the fields of `IndentSizes` (scan,
-    sphere_scan, preload, contact_y, contact_x). For the contact of median depth at the largest
-    preload, returns the maps ``indentation`` (preload, y, x) and ``sphere_height`` (y, x) in nm.
+    INDENT_UNITS are (scan, sphere_scan, preload, contact_y, contact_x). ``indentation`` (preload,
+    y, x) and ``sphere_height`` (y, x) in nm are maps of the contact of median depth at the largest
+    preload.
     """
 
     def make_bodies(scan: int, sphere_scan: int) -> Bodies:
@@ -81,7 +75,7 @@ def _sizes_of_bodies(bodies: Bodies, loaded_contacts: Sequence[Contact]) -> xr.D
     array_shape = gaps.shape[:2]
     pixel_size = bodies.geometry.pixel_size
     sizes = [
-        indent_sizes(ContactPixels(gaps[index][:count], offsets[index][:count]), pixel_size)
+        indent_sizes(gaps[index][:count], offsets[index][:count], pixel_size)
         for count in counts
         for index in np.ndindex(*array_shape)
     ]

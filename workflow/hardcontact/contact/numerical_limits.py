@@ -1,7 +1,7 @@
 """How short a range of adhesion, how narrow a window and how small a scan a force permits.
 
-A sphere finds the summits that it touches within the search size (`theory.summits`). The force on a
-smaller scan is too large, because its mirror images show the same summits everywhere.
+A sphere touches summits within the search size (`theory.summits`). The force on a smaller scan is
+too large, because its mirror images show the same summits everywhere.
 """
 
 import math
@@ -16,18 +16,17 @@ from hardcontact.contact.contact import Contact
 
 #: Largest |x| of exp(x), by precision: exp becomes infinite or loses digits beyond 87 and 708.
 EXP_LIMITS = {np.float32: 80.0, np.float64: 700.0}
-#: Largest difference in height relative to the range of adhesion. The margin to EXP_LIMITS is for
-#: scans and masters that are higher than the scan which is checked.
+#: Largest difference in height relative to the range of adhesion, with a margin to EXP_LIMITS for
+#: masters, which may be higher than their scan.
 RELIEF_OVER_RANGE = 500.0
 #: Largest depth of a contact below the highest point, relative to the range: terms that round to
 #: zero are then less than exp(-40), 4e-18, of the term of a contact pixel.
 DEPTH_OVER_RANGE = {precision: limit - 40 for precision, limit in EXP_LIMITS.items()}
 #: Shortest range of adhesion (nm) on whole surfaces: it permits summits 490 nm above a contact.
 SHORTEST_WHOLE_RANGE = 490 / EXP_LIMITS[np.float64]
-#: A range of adhesion (nm) much shorter than the published 5.6 nm. It shows what a far reach does.
+#: A range of adhesion (nm) much shorter than the published 5.6 nm.
 SHORT_ADHESION_RANGE = 1.0
-#: Largest penetration relative to the range of adhesion that a study accepts. It is cautious:
-#: `force_sum` keeps its digits beyond it.
+#: Largest penetration relative to the range of adhesion that a study accepts.
 PENETRATION_OVER_RANGE = 25.0
 #: Upper limits of scan width / search size, with the lowest and highest mean force on a mirrored
 #: scan relative to the 20 µm surface from which it was cut; larger scans had 0.95 to 1.14. Source:
@@ -73,9 +72,9 @@ def periods_in_window(window: float, scan_size: float) -> float:
 
 
 def penetration_depth(contact: Contact, relief: float) -> float:
-    """Return an estimate of the penetration (nm) of the bodies under a load, at most the relief.
+    """Return an estimate of the penetration (nm) under the preload, at most the relief.
 
-    It is the width of the contact: on slopes near one, a contact is about as deep as it is wide.
+    On slopes near one, a contact is about as deep as it is wide.
     """
     return min(math.sqrt(contact.preload / contact.hardness) * 1e9, relief)
 
@@ -83,17 +82,17 @@ def penetration_depth(contact: Contact, relief: float) -> float:
 def finite_scan_ratio(size: float, search_size: float) -> tuple[float, float]:
     """Return the smallest and largest mean force on a scan of a size (nm) relative to a large scan.
 
-    Both are 1 from LARGE_SIZE_RATIO on, where they were 0.95 to 1.14. Below SMALLEST_SIZE_RATIO
-    they are the ratios of the smallest tested scans.
+    Below SMALLEST_SIZE_RATIO they are the ratios of the smallest tested scans.
     """
-    candidates = (ratios for limit, ratios in FINITE_SCAN_RATIOS if size < limit * search_size)
-    return next(candidates, (1.0, 1.0))
+    for limit, ratios in FINITE_SCAN_RATIOS:
+        if size < limit * search_size:
+            return ratios
+    return 1.0, 1.0
 
 
 def window_share(contact: Contact, rho: ArrayLike) -> NDArray[np.float64]:
     """Return the share (...) of a smooth sphere's attraction within its window, at ranges (...).
 
-    The attraction is proportional to exp(-r²/(2 R rho)) at the distance r from the apex (Eq. 3), so
-    that a square window of width L holds the share erf(L/sqrt(8 R rho))².
+    The attraction is proportional to exp(-r²/(2 R rho)) at the distance r from the apex (Eq. 3).
     """
     return np.asarray(erf(contact.window / np.sqrt(8 * contact.radius * np.asarray(rho))) ** 2)

@@ -32,10 +32,7 @@ FORCE_ATTRS = NEWTON | {"long_name": "pull-off force at W = 1 J/m2"}
 def attraction_sums(
     bodies: Bodies, contact_pixels: ContactPixels, counts: Sequence[int], ranges: Sequence[float]
 ) -> Floats:
-    """Return sums (pixel count, rho, contact_y, contact_x) of exp(-gap/rho) at closest approach.
-
-    At each count the bodies approach until that many pixels touch.
-    """
+    """Return sums (pixel count, rho, contact_y, contact_x) of exp(-gap/rho) at closest approach."""
     gaps = contact_pixels.reference_gaps
     sums_outside = outside_sums(bodies, contact_pixels, ranges)
     rho_column = np.asarray(ranges, float)[:, None, None]
@@ -64,7 +61,6 @@ def pixel_counts(bodies: Bodies, loaded_contacts: Sequence[Contact]) -> list[int
 
 def make_force_function(contact: Contact, sphere: HeightMap | None = None) -> ForcesOnSurface:
     """Return a function of a surface: its forces (contact_y, contact_x) in N at 1 J/m²."""
-    contact.require("rho")
 
     def compute_forces(surface: HeightMap) -> Floats:
         bodies = join_bodies(surface, sphere, contact)
@@ -76,10 +72,7 @@ def make_force_function(contact: Contact, sphere: HeightMap | None = None) -> Fo
 def _forces_of_pixels(
     bodies: Bodies, contact_pixels: ContactPixels, counts: Sequence[int], ranges: Sequence[float]
 ) -> Floats:
-    """Return the forces (pixel count, rho, contact_y, contact_x) in N at 1 J/m²: Eq. 3.
-
-    Raises ValueError if a sum exceeds the range of floats: a range is too short for the relief.
-    """
+    """Return the forces (pixel count, rho, contact_y, contact_x) in N at 1 J/m², by Eq. 3."""
     sums = attraction_sums(bodies, contact_pixels, counts, ranges)
     if not np.isfinite(sums).all():
         raise ValueError(
@@ -94,10 +87,7 @@ def _forces_of_pixels(
 def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:
     """Return the rigid and plastic pull-off force of two bodies at every contact and range.
 
-    Returns ``pull_off_force`` (contact_model, rho, contact_y, contact_x) in N at 1 J/m²,
-    ``apex_height`` (contact_model, contact_y, contact_x) in nm, ``contact_pixel_count``
-    (contact_model) and ``touched_patches``. Raises ValueError if a range is too short for the
-    relief of the surface.
+    Raises ValueError if a range is too short for the relief of the surface.
     """
     pixel_size = bodies.geometry.pixel_size
     counts = pixel_counts(bodies, [replace(contact, plastic=False), contact])

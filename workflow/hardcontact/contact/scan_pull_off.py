@@ -17,14 +17,11 @@ from hardcontact.surfaces.filters import interpolate
 def pull_off_on_spheres(
     all_bodies: Mapping[int, Bodies], contact: Contact, ranges: Sequence[float]
 ) -> xr.Dataset:
-    """Return `pull_off_dataset` for each scan of the sphere on one substrate: (sphere_scan, ...).
-
-    The keys of `all_bodies` are the numbers of the sphere's scans.
-    Contacts have numbers in place of positions, which differ between pixel sizes.
-    """
+    """Return `pull_off_dataset` (sphere_scan, ...) of bodies by the number of the sphere's scan."""
     forces = {}
     for sphere_scan, bodies in all_bodies.items():
         forces_on_sphere = pull_off_dataset(bodies, contact, ranges)
+        # Numbers replace positions, which differ between pixel sizes.
         contact_numbers = {axis: range(forces_on_sphere.sizes[axis]) for axis in CONTACT_AXES}
         forces[(sphere_scan,)] = forces_on_sphere.assign_coords(contact_numbers)
     return stack(forces, ["sphere_scan"])
@@ -33,7 +30,7 @@ def pull_off_on_spheres(
 def finer_pixel_ratio(bodies: Bodies, contact: Contact, forces: xr.DataArray) -> float:
     """Return the mean plastic force on interpolated pixels of half the size, relative to `forces`.
 
-    The `forces` (...) in N at 1 J/m² belong to the bodies' own pixels and the range of the contact.
+    The forces (...) on the bodies' own pixels are in N at 1 J/m², at the range of the contact.
     """
     geometry = bodies.geometry
     substrate = bodies.substrate
@@ -71,11 +68,10 @@ def wider_window_change(
 def pull_off_with_checks(
     all_bodies: Mapping[int, Bodies], contact: Contact, ranges: Sequence[float]
 ) -> xr.Dataset:
-    """Return `pull_off_on_spheres` of one substrate scan, with three variables to judge forces by.
+    """Return `pull_off_on_spheres`, with the effects of window and pixels and of a smooth sphere.
 
     ``wider_window_change`` is at the range of the contact, ``finer_pixel_ratio`` at the shortest
-    range on the first sphere scan. ``smooth_sphere_force`` (contact_model, rho) is
-    the mean over contacts in N at 1 J/m².
+    range on the first sphere scan.
     """
     forces = pull_off_on_spheres(all_bodies, contact, ranges)
     plastic_forces = forces["pull_off_force"].sel(contact_model=PLASTIC)

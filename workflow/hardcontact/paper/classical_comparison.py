@@ -132,12 +132,12 @@ def _sample_roughness(rows: pd.DataFrame, metrics: str, sampling: Sampling) -> R
 
 def _smooth_contact(sphere: ElasticSphere, work: float, preload: float) -> xr.Dataset:
     """Return Tabor parameter and Hertz peak pressure of a smooth sphere on a plane."""
-    hertz = hertz_jkr_dmt.hertz_contact(preload, sphere.radius, sphere.modulus)
+    pressure = hertz_jkr_dmt.hertz_peak_pressure(preload, sphere.radius, sphere.modulus)
     tabor = hertz_jkr_dmt.tabor_parameter(work, sphere.radius, sphere.modulus, sphere.spacing)
     return xr.Dataset(
         {
             "tabor_parameter": ((), tabor, DIMENSIONLESS),
-            "hertz_peak_pressure": ((), hertz.peak_pressure, PASCAL),
+            "hertz_peak_pressure": ((), pressure, PASCAL),
         }
     )
 

@@ -1,10 +1,6 @@
 """Sums of exp(-gap/rho) over the window of every contact of an array, smooth or rough sphere.
 
-A pixel has the reference gap g = y - u - z (`geometry`). On a smooth sphere exp(-y/rho) is a
-product of one factor per axis, G. The sums of all contacts are therefore one matrix product, G
-exp(z/rho) G^T. On a rough sphere they are the correlation of exp(z/rho) with exp((u - y)/rho).
-
-Contact pixels are excluded, because `pull_off` adds exp(0) = 1 for each. There are two ways:
+The reference gap is g = y - u - z (`geometry`). Contact pixels are excluded in one of two ways:
 
 - `sums_by_subtraction` sums over all pixels and subtracts those in contact. It is fast, but loses
   digits at short ranges, because a pixel that penetrates by d has the term exp(d/rho).
@@ -46,23 +42,20 @@ def outside_sums(
     sums = np.empty((len(all_ranges), *[len(bodies.geometry.positions)] * 2))
     are_shallow = _are_shallow(bodies, contact_pixels, all_ranges)
     with THREAD_POOLS.limit(limits=1, user_api="blas"):
-        for is_chosen, method in (
-            (are_shallow, sums_by_subtraction),
-            (~are_shallow, _sums_by_omission),
-        ):
-            if is_chosen.any():
-                sums[is_chosen] = method(bodies, contact_pixels, all_ranges[is_chosen].tolist())
+        if are_shallow.any():
+            shallow_ranges = all_ranges[are_shallow].tolist()
+            sums[are_shallow] = sums_by_subtraction(bodies, contact_pixels, shallow_ranges)
+        if not are_shallow.all():
+            deep_ranges = all_ranges[~are_shallow].tolist()
+            sums[~are_shallow] = _sums_by_omission(bodies, contact_pixels, deep_ranges)
     return sums
 
 
 def _are_shallow(
     bodies: Bodies, contact_pixels: ContactPixels, ranges: Floats
 ) -> NDArray[np.bool_]:
-    """Return the mask of ranges (rho,) that leave `sums_by_subtraction` enough digits.
-
-    It is False for rough spheres: their maps are small, so that exact sums cost little.
-    """
-    if bodies.sphere_roughness is not None:
+    """Return the mask of ranges (rho,) at which `sums_by_subtraction` has enough digits."""
+    if bodies.sphere_roughness is not None:  # Maps are small, so that exact sums cost little.
         return np.zeros(len(ranges), bool)
     gaps = contact_pixels.reference_gaps
     penetration = (gaps[..., -1] - gaps[..., 0]).max()
@@ -77,7 +70,7 @@ def _are_shallow(
 def _sums_by_omission(
     bodies: Bodies, contact_pixels: ContactPixels, ranges: Sequence[float]
 ) -> Floats:
-    """Return `outside_sums`, in double precision, without subtracting contact pixels."""
+    """Return `outside_sums` without subtracting contact pixels."""
     substrate = bodies.substrate
     roughness = bodies.sphere_roughness
     touched_pixels = TouchedPixels(bodies, contact_pixels)

@@ -1,7 +1,4 @@
-"""Sums over a rough sphere: the correlation of exp(z/rho) with the kernel exp((u - y)/rho).
-
-`geometry` defines the heights z, u and y.
-"""
+"""Sums over a rough sphere: the correlation of exp(z/rho) with the kernel exp((u - y)/rho)."""
 
 from collections.abc import Iterator, Sequence
 from itertools import product
@@ -17,8 +14,7 @@ from hardcontact.contact.geometry import Bodies, ContactGeometry
 KERNEL_ROWS = 64
 #: Rows of the kernel that `_correlation_by_products` multiplies at once: few enough for the cache.
 MULTIPLIED_ROWS = 4
-#: Smallest sum, relative to the norms of its factors, that Fourier transforms give to 1e-9: they
-#: have an error of 1e-15.
+#: Smallest sum, relative to the norms of its factors, that Fourier transforms give to 1e-9.
 SMALLEST_TRANSFORMED = 1e-6
 
 
@@ -49,10 +45,7 @@ def rough_sphere_terms(
 def _kernel(
     pixels: int, sphere_factor: NDArray[np.floating], geometry: ContactGeometry, rho: float
 ) -> Floats:
-    """Return exp((u - max(u) - y)/rho) on (n, n) offsets from the apex, summed over images.
-
-    `sphere_factor` is exp((u - max(u))/rho) on one period of the sphere.
-    """
+    """Return exp((u - max(u) - y)/rho) on (n, n) offsets from the apex, summed over images."""
     period = len(sphere_factor)
     axis_factors = _axis_factors_by_shift(pixels, period, geometry, rho)
     kernel = np.zeros((pixels, pixels))

@@ -1,7 +1,4 @@
-"""Sums over a smooth sphere: a matrix product, because exp(-y/rho) is a product over both axes.
-
-y is the height of the sphere over its apex: the sum of a function of the row and one of the column.
-"""
+"""Sums over a smooth sphere: a matrix product, because exp(-y/rho) is a product over both axes."""
 
 from collections.abc import Iterable, Iterator, Sequence
 
@@ -20,10 +17,7 @@ BLOCK_ROWS = 64
 def sums_by_subtraction(
     bodies: Bodies, contact_pixels: ContactPixels, ranges: Sequence[float]
 ) -> Floats:
-    """Return the sums of `outside_sums.outside_sums` as sums over all pixels less those in contact.
-
-    The reference gaps of contact pixels ascend, so that the last one is the largest.
-    """
+    """Return `outside_sums.outside_sums` as sums over all pixels less those in contact."""
     heights = bodies.substrate.heights
     precision = heights.dtype.type  # `join_bodies` permits single and double precision.
     highest = float(heights.max())
@@ -73,10 +67,9 @@ def _contact_sums(
     blocks: Iterable[tuple[slice, Sequence[NDArray[np.floating]]]],
     factors: Sequence[NDArray[np.floating]],
 ) -> Floats:
-    """Return G exp((z - highest)/rho) G^T, (rho, contact_y, contact_x), from blocks of rows.
+    """Return G exp((z - highest)/rho) G^T (rho, contact_y, contact_x) from `_row_blocks`.
 
-    A block has its rows, and exp((z - highest)/rho) (rows, n) by range; `factors` has G by range
-    (`axis_factors`).
+    `factors` has G by range (`axis_factors`).
     """
     columns = [np.ascontiguousarray(axis_factor.T) for axis_factor in factors]
     sums = np.zeros((len(factors), *[len(factors[0])] * 2))
@@ -93,7 +86,7 @@ def _row_blocks(
     ranges: Sequence[float],
     touched_pixels: TouchedPixels | None = None,
 ) -> Iterator[tuple[slice, list[NDArray[np.floating]]]]:
-    """Yield the blocks of `_contact_sums`, in a precision; zero at touched pixels, if any."""
+    """Yield rows and their exp((z - highest)/rho) (rows, n) by range; zero at touched pixels."""
     for start in range(0, len(heights), BLOCK_ROWS):
         rows = slice(start, start + BLOCK_ROWS)
         block = heights[rows].astype(precision, copy=False)
@@ -118,10 +111,7 @@ def _exponentials(
 def _fold_mirror_images(
     heights: NDArray[np.floating], factors: list[NDArray[np.floating]]
 ) -> tuple[NDArray[np.floating], list[NDArray[np.floating]]]:
-    """Return the scan, a quarter of mirrored heights (n, n), and factors summed over its images.
-
-    Other heights and their factors are returned as they are.
-    """
+    """Return a quarter of mirrored heights (n, n), and factors summed over its images."""
     if len(heights) % 2 or not _is_mirrored(heights):
         return heights, factors
     scan_pixels = len(heights) // 2
@@ -133,7 +123,7 @@ def _fold_mirror_images(
 
 
 def _is_mirrored(heights: NDArray[np.floating]) -> bool:
-    """Return whether heights equal both mirror images; borders of most maps differ already."""
+    """Return whether heights equal both mirror images."""
     return (
         np.array_equal(heights[0], heights[-1])
         and np.array_equal(heights, heights[::-1])

@@ -1,7 +1,4 @@
-"""Touched pixels, which the sums of exp(-gap/rho) exclude: they touch in any contact of an array.
-
-`geometry` defines the heights z, u and y.
-"""
+"""Pixels that touch in any contact of an array, which the sums of exp(-gap/rho) exclude."""
 
 from collections.abc import Callable
 from typing import NamedTuple
@@ -19,8 +16,7 @@ class SphereTerms(NamedTuple):
 
     #: (contact_y, contact_x), sums of exp((z + u - y)/rho) over pixels that touch in no contact.
     totals: Floats
-    #: Returns exp((u - y)/rho) (touched,) of a contact (i, j) at the touched pixels. Their factors
-    #: exp(z/rho) are the same for all contacts.
+    #: Returns exp((u - y)/rho) (touched,) of a contact (i, j) at the touched pixels.
     factor: Callable[[tuple[int, int]], Floats]
 
 
@@ -32,10 +28,7 @@ def exponential(heights: NDArray[np.floating], highest: float, rho: float) -> ND
 
 
 class TouchedPixels:
-    """The pixels of the substrate that touch in any contact of an array, each once.
-
-    `row` and `column` (touched,) are their positions on the substrate, ordered by rows.
-    """
+    """`row` and `column` (touched,) of the pixels of the substrate that touch in any contact."""
 
     def __init__(self, bodies: Bodies, contact_pixels: ContactPixels) -> None:
         pixels = bodies.substrate.pixels
@@ -60,9 +53,8 @@ class TouchedPixels:
     ) -> float:
         """Return the sum of exp(-gap/rho) outside a contact (i, j), at plastic closest approach.
 
-        `total` is the sum over the pixels that touch in no contact. The terms (touched,) of the
-        touched pixels are overwritten. Both are for the apex at height 0, relative to
-        exp(highest/rho).
+        `total` is the sum over pixels that touch in no contact; `terms` (touched,) are overwritten.
+        Both are for the apex at height 0, relative to exp(highest/rho).
         """
         terms[self._indices_of_contact[index]] = 0.0
         largest_gap = self._largest_gaps[index]
@@ -77,11 +69,7 @@ def _flat_indices(positions: NDArray[np.int_], pixels: int) -> NDArray[np.int_]:
 
 
 def _image_gaps(bodies: Bodies, apex: NDArray[np.int_], offsets: NDArray[np.int_]) -> Floats:
-    """Return the reference gaps (k,) of periodic images of contact pixels within the window.
-
-    A window wider than the substrate shows contact pixels again. These images are not in contact,
-    and so they attract.
-    """
+    """Return the reference gaps (k,) of periodic images of contact pixels, not in contact."""
     pixels = bodies.substrate.pixels
     geometry = bodies.geometry
     if geometry.window_pixels <= pixels:
