@@ -1,12 +1,12 @@
 """Draw the figures and pages of a finished study again, from its datasets: no scan, no store."""
 
-from hardcontact.run import ending, preparation, reruns, study_inputs
+from hardcontact.run import ending, preparation, reruns
 from hardcontact.records.code import write_pins
 
 preparation.prepare_run(workflow)
 
 
-configfile: study_inputs.finished_configuration(config)
+configfile: preparation.finished_configuration(config)
 
 
 include: "rules/common.smk"

@@ -18,9 +18,9 @@ from hardcontact.own.force_dataset import (
     add_sizes,
     bound_by_smooth_sphere,
     contacts_needed,
-    extend_by_pixel_factors,
     find_extrapolated_forces,
     forces_on_scans,
+    widen_intervals,
 )
 
 RHOS = [1.0, 5.0, 20.0]
@@ -198,10 +198,18 @@ def test_a_mean_needs_one_contact_at_least():
 
 
 def test_intervals_include_the_effect_of_finer_pixels():
-    scan_forces = forces_of(adhesion([3, 3]))
-    wide_pixels = scan_forces.assign(wide_pixel_ratio=("surface", [1.5, 0.9]))
-    result = extend_by_pixel_factors(wide_pixels).force_interval
-    change = (result / scan_forces.force_interval).transpose("surface", "end", ...)
+    scan_forces = forces_of(adhesion([3, 3]).isel(sphere_scan=[0])).assign(
+        extrapolated_force=("surface", [1.0, 1.0]),
+        extrapolated_force_interval=(("surface", "end"), [[0.9, 1.1]] * 2),
+    )
+    names = ["hindcast_ratio", "hindcast_ratio_interval", "hindcast_fails"]
+    hindcast = xr.Dataset(
+        {"wide_pixel_ratio": ("surface", [1.5, 0.9])}
+        | {name: ("surface", [1.0, 1.0]) for name in names},
+        {"surface": ["a", "b"]},
+    )
+    widened = widen_intervals(scan_forces, hindcast, 5.0)
+    change = (widened.force_interval / scan_forces.force_interval).transpose("surface", "end", ...)
     np.testing.assert_allclose(change.isel(surface=0, end=0), 1 / 1.5)
     np.testing.assert_allclose(change.isel(surface=0, end=1), 1)
     np.testing.assert_allclose(change.isel(surface=1), 1)

@@ -1,4 +1,4 @@
-"""Hindcasts: a Gaussian scan passes, others fail, and the scan's own octave is what is replaced."""
+"""Hindcasts: a Gaussian scan passes, others fail; wide pixels hide summits."""
 
 from dataclasses import replace
 
@@ -12,6 +12,7 @@ from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.own import hindcast
 from hardcontact.own.hindcast import RandomBody
+from hardcontact.own.wide_pixels import forces_by_pixel_width, widen_pixels
 from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.synthesis import random_surface
 
@@ -132,5 +133,23 @@ def test_each_side_ends_with_an_octave_within_the_reliable_wavelengths():
     )
     octaves = hindcast.outermost_octaves(measurements, {"short": 20.0, "long": 1000.0})
     assert octaves == {"short": (25, 50), "long": (400, 800)}
-    assert hindcast.outermost_octave("short", 20, 30, 50) is None
-    assert hindcast.outermost_octave("long", 1000, 600, 2000) is None
+    octaves = hindcast.outermost_octaves(measurements, {"short": 500.0, "long": 40.0})
+    assert octaves == {"short": None, "long": None}
+
+
+def test_wide_pixels_have_the_mean_heights_of_their_blocks():
+    heights = np.arange(100.0).reshape(10, 10)
+    wide = widen_pixels(replace(SCAN, heights=heights)).heights
+    for block in (np.s_[:4, :4], np.s_[4:8, 8:], np.s_[8:, 8:]):
+        np.testing.assert_allclose(wide[block], heights[block].mean())
+
+
+def test_wide_pixels_hide_summits():
+    """On a smooth map they change nothing; the sphere's pixels count, too."""
+    flat = mirror_scan(replace(SCAN, heights=SCAN.heights * 0))
+    rough = mirror_scan(SCAN)
+    ratios = []
+    for surface, sphere in ((flat, None), (rough, None), (flat, rough)):
+        forces = forces_by_pixel_width(surface, sphere, CONTACT).mean()
+        ratios.append(float(forces["wide_pixel_force"] / forces["scan_force"]))
+    assert ratios[0] == pytest.approx(1) and min(ratios[1:]) > 1.02

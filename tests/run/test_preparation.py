@@ -12,7 +12,7 @@ from snakemake.settings.types import ExecMode
 from snakemake.utils import update_config
 
 from hardcontact.config.configuration import apply_effort
-from hardcontact.run import preparation, study_inputs
+from hardcontact.run import preparation
 
 
 def refusal_line(call, *arguments, parts=("expected", "found")):
@@ -63,26 +63,26 @@ def test_the_grids_of_the_paper_are_refused_for_own_surfaces():
     for configfiles in ((quick, ROOT / TINY), (ROOT / TINY, quick)):
         study = planned_workflow(*configfiles)
         line = refusal_line(
-            study_inputs.complete_configuration, study, PAPER | {"published": "none"}
+            preparation.complete_configuration, study, PAPER | {"published": "none"}
         )
         assert_says(line, "config/quick.yaml", "--config effort=quick")
 
 
 def test_keys_of_the_quick_study_are_checked_in_a_full_run():
     overlay = {"quick": {"contact": {"contacts_per_row": 0}}}
-    line = refusal_line(study_inputs.complete_configuration, planned_workflow(), PAPER | overlay)
+    line = refusal_line(preparation.complete_configuration, planned_workflow(), PAPER | overlay)
     assert_says(line, "effort quick", "contact.contacts_per_row", "found 0")
 
 
 def test_a_study_of_the_project_has_other_values_only_if_asked():
-    study_inputs.complete_configuration(*configured("contact={hardness: 25GPa}"))  # the same
+    preparation.complete_configuration(*configured("contact={hardness: 25GPa}"))  # the same
     harder = "contact={hardness: 30 GPa}"
-    line = refusal_line(study_inputs.complete_configuration, *configured(harder))
+    line = refusal_line(preparation.complete_configuration, *configured(harder))
     assert_says(
         line, "study paper", "contact.hardness: '30 GPa' in place of '25 GPa'", "overwrite=true"
     )
     for words in ((harder, "overwrite=true"), (harder, "study=harder")):
-        study_inputs.complete_configuration(*configured(*words))
+        preparation.complete_configuration(*configured(*words))
 
 
 def test_a_quick_study_has_its_own_folders():
@@ -99,5 +99,5 @@ def test_a_quick_study_has_its_own_folders():
 @pytest.mark.parametrize("text", ["2026-13-45", "'a: b: c'", "four", "2.5"])
 def test_a_faulty_value_of_the_command_line_is_refused_with_its_key(text):
     study = configured(f"asperities={{contacts: {text}}}")
-    line = refusal_line(study_inputs.complete_configuration, *study)
+    line = refusal_line(preparation.complete_configuration, *study)
     assert_says(line, "config key asperities.contacts", "a whole number", text.strip("'"))

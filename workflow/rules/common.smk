@@ -18,9 +18,9 @@ from hardcontact.config.configuration import is_paper_study
 from hardcontact.config.keys import NONE
 from hardcontact.config.user_files import read_yaml
 from hardcontact.files.paths import StudyPaths
-from hardcontact.run import study_inputs
+from hardcontact.run import preparation
 
-STUDY = study_inputs.complete_configuration(workflow, config)
+STUDY = preparation.complete_configuration(workflow, config)
 RESULTS = StudyPaths(STUDY)
 SAMPLING = STUDY["intervals"] | {"seed": STUDY["seed"]}
 IS_PAPER_STUDY = is_paper_study(STUDY)

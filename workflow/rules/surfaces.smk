@@ -20,9 +20,9 @@ from hardcontact.files.chunks import Chunks
 from hardcontact.files.paths import wildcard_constraints as constraints
 from hardcontact.files.paths import SurfaceFiles
 from hardcontact.records.code import write_pins
-from hardcontact.run import study_inputs
+from hardcontact.run import preparation
 
-SELECTION = study_inputs.checked_selection(workflow, STUDY)
+SELECTION = preparation.checked_selection(workflow, STUDY)
 write_pins()  # Only now, because a run that is refused writes nothing.
 LABELS_AND_SOURCES = {"labels": SELECTION.labels, "source": SELECTION.sources}
 PLAN = StudyPlan(STUDY, SELECTION)

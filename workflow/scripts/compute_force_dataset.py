@@ -6,11 +6,13 @@ from hardcontact.inference.mean_forces import MasterScans
 from hardcontact.inference.scan_parts import fewest_touched_patches
 from hardcontact.own.force_dataset import (
     add_closed_form,
+    add_extrapolated_force,
     add_sizes,
-    compare_and_bound_forces,
+    bound_by_smooth_sphere,
     contacts_needed,
     find_extrapolated_forces,
     forces_on_scans,
+    widen_intervals,
 )
 from hardcontact.records.job import run_job
 
@@ -27,7 +29,10 @@ with run_job(snakemake) as job:
     extrapolated_forces = find_extrapolated_forces(
         read_dataset(job.input.filtered_forces), master_scans, contact.work, confidence
     )
-    force = compare_and_bound_forces(scan_forces, extrapolated_forces, hindcast, contact, tolerance)
+    # Both forces are compared before pixels and hindcast widen the intervals.
+    force = add_extrapolated_force(scan_forces, extrapolated_forces, tolerance)
+    force = widen_intervals(force, hindcast, contact.rho)
+    force = bound_by_smooth_sphere(force, contact.area)
     force = add_closed_form(force, read_dataset(job.input.spectra), contact)
     force = add_sizes(force, topography, contact)
     job.write(

@@ -3,7 +3,7 @@
 from hardcontact.base.dataset import read_dataset
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.pull_off import make_force_function
-from hardcontact.own.hindcast import hindcast_forces, outermost_octaves, random_bodies
+from hardcontact.own.hindcast import RandomBody, hindcast_forces, outermost_octaves
 from hardcontact.own.wide_pixels import forces_by_pixel_width
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.height_map import load_height_map
@@ -16,8 +16,14 @@ with run_job(snakemake) as job:
     sphere = load_height_map(job.input.sphere) if job.input.sphere else None
     measurements = read_dataset(job.input.spectrum).isel(measurement=params["measurement_indices"])
     octaves = outermost_octaves(measurements, params["transitions"])
-    spectra = [load_spectrum(path) for path in job.input.body_spectra]
-    bodies = random_bodies(mirrored, measurements, spectra, params["body_scans"], params["seed"])
+    # Of the substrate's scan half of the mirrored map is used, of the sphere's scan all.
+    sizes = [mirrored.size / 2, *measurements["size"].values[1:]]
+    bodies = [
+        RandomBody(load_spectrum(path), size, params["seed"], scan_id)
+        for path, size, scan_id in zip(
+            job.input.body_spectra, sizes, params["body_scans"], strict=True
+        )
+    ]
     compute_forces = make_force_function(contact, sphere)
     octave_forces = hindcast_forces(
         mirrored, octaves, bodies, compute_forces, contact.contacts_per_row

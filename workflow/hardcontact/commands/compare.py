@@ -24,8 +24,6 @@ from hardcontact.report.study_comparison import (
 from hardcontact.report.templates import Frame, render_document, render_lines
 
 ANSWER = "answer.json"
-#: What is found in place of the answer of an unfinished study.
-UNFINISHED = "none: `snakemake answer` makes it, with --configfile for any study but the paper's"
 
 
 def compare_arguments(arguments: Sequence[str]) -> Namespace:
@@ -40,7 +38,7 @@ def compare_arguments(arguments: Sequence[str]) -> Namespace:
 
 
 def compare(arguments: Namespace) -> str:
-    """Return the comparison as text, and write the page; a page named - is returned instead."""
+    """Return the comparison as text, and write the page; a page - is returned instead."""
     paths = [_answer_path(path) for path in (arguments.first, arguments.second)]
     inputs = {path: "those compared" for path in paths}
     faults = [*output_faults("html", arguments.html, inputs, arguments.overwrite)]
@@ -81,8 +79,11 @@ def _answer_path(path: str) -> str:
 def _read_answer(path: str) -> dict[str, Any]:
     """Return the content of answer.json, if it is the answer of a study."""
     if not Path(path).is_file():
-        problem = UNFINISHED if Path(path).parent.is_dir() else "no such folder"
-        raise ValueError(f"{path}: expected the answer of a finished study, found {problem}")
+        found = "no such folder"
+        if Path(path).parent.is_dir():
+            remedy = "`snakemake answer` makes it, with --configfile for any study but the paper's"
+            found = f"none: {remedy}"
+        raise ValueError(f"{path}: expected the answer of a finished study, found {found}")
     try:
         answer: Any = json.loads(Path(path).read_text("utf-8"))
     except ValueError:

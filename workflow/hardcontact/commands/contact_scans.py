@@ -43,11 +43,9 @@ def all_search_sizes(
 def select_contact_scans(
     scans: Sequence[UserScan], sphere: str | None, contact: Contact, search_sizes: dict[str, float]
 ) -> tuple[list[UserScan], list[str]]:
-    """Return the scans that contacts are made on, and the reasons in words.
+    """Return the scans that contacts are made on, on one grid a surface, and the reasons.
 
-    The scans of a surface have one grid: of those that resolve the interaction radius the smallest
-    that is large enough for every search size, or else the largest. If no scan resolves the radius,
-    the pixels are the finest. Surfaces are thus compared on one size if possible.
+    All surfaces need the largest search size, so that they are compared on one size if possible.
     """
     groups = _group_by_grid(scans)
     sphere_groups = groups.pop(sphere) if sphere is not None else []
@@ -117,14 +115,11 @@ def _best_group(
 
 
 def _sphere_group(groups: list[Group], substrates: Sequence[UserScan], radius: float) -> Group:
-    """Return the scans of the sphere: those on the substrates' grid, or the largest group.
-
-    Both bodies are computed on the finer pixels of the two, so that different grids make large
-    maps.
-    """
+    """Return the scans of the sphere: those on the substrates' grid, or the largest group."""
 
     def rank(group: Group) -> tuple[bool, bool, int, float]:
         scan = group[0]
+        # Both bodies are computed on the finer pixels of the two.
         is_too_large = any(
             2 * max(scan.size, substrate.size) / min(scan.pixel_size, substrate.pixel_size)
             > MAX_MAP_PIXELS

@@ -1,8 +1,4 @@
-"""The scans in the user's files: what each file states, and what is measured on it.
-
-A copy is the same scan again, which is a fault. A repetition shows the area of an earlier scan, as
-trace and retrace do, and is left out.
-"""
+"""The scans in the user's files: what each file states, and what is measured on it."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -27,10 +23,7 @@ FILLING = DEFAULT_OPTIONS.undefined_pixels
 
 @dataclass(frozen=True, eq=False)  # A scan equals no other one.
 class UserScan:
-    """A scan of the user: what its file states, and what is measured on it.
-
-    Lengths are in nm. Maps are square, because reading keeps their central square.
-    """
+    """A scan of the user; lengths are in nm."""
 
     scan_file: ScanFile
     dataset: str  #: Name of the scan in a container; empty for any other file.
@@ -53,7 +46,7 @@ class UserScan:
 
     @property
     def undefined_share(self) -> float:
-        """Share of undefined pixels of a map, or points of a line scan."""
+        """Share of undefined pixels or points."""
         return self.undefined_count / (self.pixels**2 if self.kind == "map" else self.pixels)
 
     @property

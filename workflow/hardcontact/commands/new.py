@@ -1,14 +1,11 @@
-"""The command `hardcontact new`: from files of scans to a study of the user's surfaces.
-
-It reads the files, prints their contents, proposes a value for each key, and writes an overlay and
-a table of surfaces. If there are problems, it prints one line for each and writes nothing.
-"""
+"""The command `hardcontact new`: from files of scans to a study of the user's surfaces."""
 
 from argparse import Namespace
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from hardcontact.base.atomic_file import write_text_file
+from hardcontact.base.formatting import format_length
 from hardcontact.commands.inventory import UserScan, read_inventory, scans_by_surface
 from hardcontact.commands.options import (
     QuantityOption,
@@ -17,8 +14,8 @@ from hardcontact.commands.options import (
     reading_options,
     unit_questions,
 )
+from hardcontact.commands.outputs import align_cells
 from hardcontact.commands.proposal import Choice, Proposal, propose_keys
-from hardcontact.commands.report_of_new import report_lines
 from hardcontact.commands.request import SPHERE, list_scan_files, name_faults, path_from_root
 from hardcontact.commands.scan_cautions import refuse_unreliable
 from hardcontact.config.configuration import (
@@ -35,6 +32,8 @@ from hardcontact.config.limits import refuse_unfit_values
 from hardcontact.config.selected_surfaces import CONTACT_USE, SPECTRUM_USE, SurfaceRow
 from hardcontact.config.user_files import read_yaml
 from hardcontact.records.code import ROOT
+from hardcontact.scans.heights import split_notes
+from hardcontact.scans.reliable_band import LIMIT_NAMES
 
 
 def new_study(arguments: Namespace) -> str:
@@ -42,25 +41,27 @@ def new_study(arguments: Namespace) -> str:
     quantities, faults = parse_quantities(arguments)
     radius = quantities["radius"].number
     scan_files, file_faults = list_scan_files(arguments, radius)
-    tip_text = quantities["tip"].text if "tip" in quantities else ""
     scans, left_out, scan_faults = read_inventory(
         scan_files, reading_options(arguments, quantities), arguments.channel
     )
     faults += [*file_faults, *scan_faults]
-    surfaces = [scan_file.surface for scan_file in scan_files]
+    tip_text = quantities["tip"].text if "tip" in quantities else ""
     checked_rows = surface_rows(scans, contact_scans=[], tip_radius=tip_text)
-    all_faults = [*name_faults(arguments), *faults]
-    all_faults += _cell_faults(arguments, checked_rows, surfaces, radius)
+    all_faults = [*name_faults(arguments), *faults, *_cell_faults(checked_rows)]
+    if arguments.forces is not None:
+        surfaces = dict.fromkeys(scan_file.surface for scan_file in scan_files)
+        substrates = [surface for surface in surfaces if surface != SPHERE]
+        with collect_faults(all_faults):
+            read_forces(arguments.forces, substrates, radius, "--forces")
     if not faults:  # Faults of the input can cause faults of the proposal.
         with collect_faults(all_faults):
             proposal, choices = _propose_study(arguments, quantities, scans)
     if all_faults:
         raise_faults([*all_faults, *unit_questions(quantities)])
     rows = surface_rows(scans, proposal.contact_scans, tip_text)
-    table_rows = [[*rows[0].keys()], *([*row.values()] for row in rows)]
-    table = "".join("\t".join(cells) + "\n" for cells in table_rows)
+    table = "".join("\t".join(cells) + "\n" for cells in _header_and_cells(rows))
     report = [
-        *report_lines(scans, left_out, proposal, choices),
+        *_report_lines(scans, left_out, proposal, choices),
         *_write_study(arguments.name, table, choices, proposal.quick),
     ]
     return "\n".join(report)
@@ -82,19 +83,13 @@ def _write_study(
     ]
 
 
-def _cell_faults(
-    arguments: Namespace, rows: Sequence[Mapping[str, str]], surfaces: Sequence[str], radius: float
-) -> list[str]:
-    """Return the faults of the cells of the table of surfaces and of measured forces."""
+def _cell_faults(rows: Sequence[Mapping[str, str]]) -> list[str]:
+    """Return the faults of the cells of the table of surfaces."""
     faults: list[str] = []
     # `label_faults` checks labels once; the id in place of the label keeps rows from repeating it.
     for row in rows:
         with collect_faults(faults):
             validate(SurfaceRow, {**row, "label": row["surface"]}, f"{row['path']!r}: ")
-    if arguments.forces is not None:
-        substrates = [surface for surface in dict.fromkeys(surfaces) if surface != SPHERE]
-        with collect_faults(faults):
-            read_forces(arguments.forces, substrates, radius, "--forces")
     return faults
 
 
@@ -189,3 +184,67 @@ def overlay_text(command: str, choices: Sequence[Choice], quick: Sequence[Choice
     lines = commented_yaml(tree, reasons)
     head = "# Written by `hardcontact new`; config/config.yaml explains every key.\n"
     return f"{head}# {command}\n" + "".join(f"{line}\n" for line in lines)
+
+
+def _report_lines(
+    scans: Sequence[UserScan], left_out: list[str], proposal: Proposal, choices: Sequence[Choice]
+) -> Iterator[str]:
+    """Yield the lines of the report: a table of the scans, the choices and their reasons."""
+    yield "Found:"
+    yield _scan_table(scans, proposal.contact_scans)
+    labels = {scan.scan_file.surface: scan.scan_file.label for scan in scans}
+    ids = [f"{surface} is {label}" for surface, label in labels.items() if surface != label]
+    if ids:
+        yield f"\nNames of surfaces in paths, tables and your table of forces: {', '.join(ids)}"
+    if left_out:
+        yield "\nLeft out:"
+        yield from left_out
+    yield "\nContacts are made on:"
+    yield from proposal.reasons
+    yield "\nChosen:"
+    for key, value, reason in choices:
+        if isinstance(value, list):
+            is_short = len(value) <= len(CONTACT_QUANTITIES)
+            ends = f"{len(value)} values, {value[0]} to {value[-1]}"
+            value = ", ".join(value) if is_short else ends
+        yield f"{key}: {value}" + (f" ({reason})" if reason else "")
+    if proposal.cautions:
+        yield "\nTake care:"
+        yield from (f"- {caution}" for caution in proposal.cautions)
+
+
+def _scan_table(scans: Sequence[UserScan], contact_scans: Sequence[UserScan]) -> str:
+    """Return a table of the scans and their uses, with notes on their reading below."""
+    rows = []
+    notes = []
+    for number, scan in enumerate(scans, 1):
+        is_map = scan.kind == "map"
+        band = scan.reliable_band
+        band_ends = [format_length(end) for end in (band.shortest, band.longest)]
+        rows.append(
+            {
+                "": str(number),
+                "surface": scan.scan_file.label,
+                "file": scan.name,
+                "channel": scan.channel,
+                "kind": "height map" if is_map else "line scan",
+                "size": format_length(scan.size),
+                "pixels": f"{scan.pixels} x {scan.pixels}" if is_map else str(scan.pixels),
+                "unit": scan.file_unit,
+                "rms": format_length(scan.rms_height),
+                "peak to valley": format_length(scan.peak_to_valley),
+                "tip radius": format_length(scan.tip_radius) if scan.tip_radius else "unknown",
+                "reliable": " to ".join(band_ends) if scan.has_reliable_wavelengths else "none",
+                "used for": CONTACT_USE if scan in contact_scans else SPECTRUM_USE,
+            }
+        )
+        notes += [f"{number}: {note}" for note in split_notes(scan.notes)[0]]
+        if band.limited_by != "pixels":
+            limit = LIMIT_NAMES[band.limited_by]
+            notes.append(f"{number}: shorter wavelengths are not reliable: {limit}")
+    return "\n".join([*align_cells(_header_and_cells(rows)), *notes])
+
+
+def _header_and_cells(rows: Sequence[Mapping[str, str]]) -> list[list[str]]:
+    """Return the columns of a table, then the cells of each row."""
+    return [list(rows[0]), *(list(row.values()) for row in rows)]

@@ -79,8 +79,7 @@ def add_shared_options(parser: ArgumentParser) -> None:
 def parse_quantities(arguments: Namespace) -> tuple[dict[str, QuantityOption], list[str]]:
     """Return the quantities of the command line by name, and a line for each fault.
 
-    A faulty quantity of the contact has the paper's value. Tip, size and modulus are there only if
-    the user gave them without a fault.
+    Quantities of the contact that are missing or faulty have the paper's value.
     """
     types = {name: quantity_type(key) for name, (key, _) in CONTACT_QUANTITIES.items()}
     types |= {"tip": TIP_RADIUS, "size": quantity_type("scan.map_size")}

@@ -1,7 +1,4 @@
-"""The folders that commands read, and the files and tables that they write.
-
-No command replaces an input; it replaces other files only with --overwrite.
-"""
+"""The folders that commands read, and the files and tables that they write."""
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
@@ -21,8 +18,7 @@ def output_faults(
 ) -> Iterator[str]:
     """Yield a line if the output of an option cannot be written, or would replace a file.
 
-    The path is None if the output is not asked for, - for the terminal. `inputs` are words such as
-    "that of the surface", by path.
+    `inputs` are words such as "that of the surface", by path.
     """
     if path is None or path == "-":
         return

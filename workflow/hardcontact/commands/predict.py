@@ -69,12 +69,9 @@ class Inputs(NamedTuple):
 
 
 def predict(arguments: Namespace) -> str:
-    """Return the prediction in words, and write the file of numbers if it is named.
-
-    If its name is -, the numbers are returned instead of the words.
-    """
+    """Return the prediction in words, and write the file of numbers; a file - is returned."""
     inputs = read_inputs(arguments)
-    numbers = compute_numbers(inputs, arguments)
+    numbers = compute_numbers(inputs, arguments.file)
     if arguments.json == "-":
         sys.stderr.writelines(f"{line}\n" for line in inputs.notes)
         return numbers_as_json(numbers)
@@ -116,12 +113,12 @@ class QuantityStatus(StrEnum):
     GIVEN, FROM_PAPER = "given", "paper"
 
 
-def compute_numbers(inputs: Inputs, arguments: Namespace) -> dict[str, Number]:
+def compute_numbers(inputs: Inputs, file: str) -> dict[str, Number]:
     """Return the numbers of a prediction by name, with the quantities of the contact."""
     quantities, contact, spectrum, _ = inputs
     numbers = {name: _quantity_number(name, quantities[name]) for name in CONTACT_QUANTITIES}
     tolerance, confidence = PAPER_STUDY.band.tolerance, PAPER_STUDY.intervals.confidence
-    numbers |= prediction_and_scan_force(spectrum, contact, tolerance, confidence, arguments.file)
+    numbers |= prediction_and_scan_force(spectrum, contact, tolerance, confidence, file)
     modulus = QuantityOption("", assumed_modulus(contact.hardness), "Pa", is_given=False)
     numbers["modulus"] = _quantity_number("modulus", quantities.get("modulus", modulus))
     numbers["tabor_parameter"] = judge_tabor_parameter(contact, numbers["modulus"].value)
@@ -135,7 +132,7 @@ def _quantity_number(name: str, option: QuantityOption) -> Number:
 
 
 def numbers_as_json(numbers: Mapping[str, Number]) -> str:
-    """Return numbers as JSON by name; intervals and statuses are there if they are known."""
+    """Return numbers as JSON by name, with the intervals and statuses that are known."""
     entries: dict[str, dict[str, Any]] = {}
     for name, number in numbers.items():
         entries[name] = {"value": json_value(number.value), "unit": number.unit}

@@ -93,9 +93,7 @@ def propose_keys(
 ) -> Proposal:
     """Choose every key that depends on the scans.
 
-    `sphere` is the id of the sphere's surface, None for a smooth sphere. Unless the user gave the
-    range of adhesion, it may be longer than that of the contact. Raises ValueError if scans are too
-    different for one study, or a surface has no height map.
+    `sphere` is the id of the sphere's surface, None for a smooth sphere.
     """
     search_sizes = all_search_sizes(scans, sphere, contact)
     contact_scans, reasons = select_contact_scans(scans, sphere, contact, search_sizes)
@@ -211,10 +209,7 @@ def _spaced_cutoffs(shortest: float, longest: float, max_count: int) -> list[str
 def _transition_choices(
     substrates: Sequence[UserScan], sphere_scans: Sequence[UserScan]
 ) -> tuple[Choice, Choice]:
-    """Return the wavelengths below and above which roughness is artificial.
-
-    The ends of a scan do not count at wavelengths where the other body is rougher.
-    """
+    """Return the wavelengths below and above which roughness is artificial."""
     short_scans = _decisive_scans(substrates, sphere_scans, "shortest")
     long_scans = _decisive_scans(substrates, sphere_scans, "longest")
     limits = [
@@ -251,10 +246,7 @@ def _is_rougher(scan: UserScan, partners: Sequence[UserScan], end: str) -> bool:
 
 
 def _adhesion_ranges(rho: float, shortest_range: float, count: int) -> list[str]:
-    """Return ranges of adhesion as quantities, around the range rho (nm) of the masters.
-
-    Half of them are shorter, if the shortest possible range leaves room for them.
-    """
+    """Return ranges of adhesion as quantities, around the range rho (nm) of the masters."""
     accepted = quantity_type("adhesion.range")
     shortest = min(max(shortest_range, rho / RANGE_SPAN, accepted.low), rho)
     longest = min(rho * RANGE_SPAN, accepted.high)

@@ -20,7 +20,7 @@ from hardcontact.own.scan_contact import window_on_scans
 
 #: The longest range of adhesion (nm) that is proposed if none is given, as in the paper's study.
 LONGEST_RANGE = 40.0
-#: Width of the long-edge master relative to a scan.
+#: Width of the long-edge master relative to a scan, as in the paper.
 MASTER_OVER_SCAN = 8
 #: Width of the long-edge master relative to the window.
 MASTER_OVER_WINDOW = 1.6
@@ -55,8 +55,7 @@ def choose_contact(
 ) -> PermittedContact:
     """Return a contact with the window and, if none was given, the range that the scans need.
 
-    `scans` includes the scans of the sphere, `substrates` does not. Masters have at most
-    `max_pixels` per row. A given range may be too short: then the study refuses it.
+    `scans` includes the scans of the sphere. Masters have at most `max_pixels` per row.
     """
     window, window_reason = _window_on_scans(scans, contact)
     shortest, reason = _shortest_range(scans, substrates, contact, window, max_pixels)
@@ -102,11 +101,7 @@ def _shortest_range(
 
 
 def master_scans_per_row(substrates: Sequence[UserScan], window: float, max_pixels: int) -> int:
-    """Return the number of mirrored scans per row of long-edge masters: key band.long.tiles.
-
-    If `max_pixels` per row suffice, the master is eight scans wide, as in the paper, and wider than
-    the window (nm).
-    """
+    """Return the number of mirrored scans per row of long-edge masters: key band.long.tiles."""
     size = min(scan.size for scan in substrates)
     master_size = max(MASTER_OVER_SCAN * size, MASTER_OVER_WINDOW * window)
     # The margin keeps rounding from adding a scan.
@@ -142,9 +137,7 @@ def affordable_contacts(
 ) -> tuple[int, float]:
     """Return the contacts per row that time and memory permit, and their seconds on one surface.
 
-    The pixels of all contacts stay in memory: on masters, and on scans with all periods in the
-    window. If not even the fewest contacts fit, these are returned: more seconds than
-    MAX_CONTACT_SECONDS only make the study slow, and the study itself refuses too many pixels.
+    If not even the fewest contacts fit, these are returned, because the study refuses too many.
     """
     seconds = 0.0
     kept_pixels = 0.0

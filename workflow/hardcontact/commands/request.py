@@ -1,7 +1,4 @@
-"""What the user asks of `hardcontact new`: its command line, and the names and files in it.
-
-The parser also answers --help and --version, and refuses an unknown command.
-"""
+"""What the user asks of `hardcontact new`: its command line, and the names and files in it."""
 
 import os
 import re
@@ -153,11 +150,7 @@ def _files_in(file: str) -> list[str]:
 
 
 def surface_id(label: str) -> str:
-    """Return the id of a surface: its label in lower case, at most 40 characters.
-
-    An underscore stands for other characters than a-z and digits. The prefix ``surface_`` marks an
-    id that would be reserved or would not begin with a letter.
-    """
+    """Return the id of a surface, which begins with a letter and has no blanks, from its label."""
     name = re.sub(r"[^a-z0-9]+", "_", label.lower()).strip("_")
     if name in RESERVED_IDS or not re.match("[a-z]", name):
         name = f"surface_{name}".rstrip("_")

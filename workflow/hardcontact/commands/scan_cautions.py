@@ -71,10 +71,8 @@ def _reading_cautions(scans: Sequence[UserScan]) -> Iterator[str]:
 
 
 def _radius_question(scan: UserScan, stated_radius: float) -> str:
-    """Return a question about the radius (nm) of a sphere whose scan stays curved.
-
-    The defect has no sign: a smaller sphere leaves it, or a larger one.
-    """
+    """Return a question about the radius (nm) of a sphere whose scan stays curved."""
+    # The defect has no sign: a smaller sphere leaves it, or a larger one.
     remaining = 1 / scan.defects["curvature"]["curvature_radius"]
     curvatures = (1 / stated_radius + remaining, 1 / stated_radius - remaining)
     radii = " or ".join(

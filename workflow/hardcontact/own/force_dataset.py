@@ -1,8 +1,7 @@
 """The pull-off forces on the user's surfaces at one work and all ranges of adhesion: force.nc.
 
 Forces on scans come from the roughness of the scans alone. The extrapolated force also has the
-roughness that the microscope does not show. `contact_model` is plastic or rigid contact, and
-`side` the short or the long edge of the band. The dimension `rho` has all ranges of adhesion (nm),
+roughness that the microscope does not show. The dimension `rho` has all ranges of adhesion (nm),
 the attribute `rho` that of the study.
 """
 
@@ -45,24 +44,6 @@ from hardcontact.theory.summits import search_size
 FORCE_QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
 
 
-def compare_and_bound_forces(
-    scan_forces: xr.Dataset,
-    extrapolated_forces: xr.Dataset,
-    hindcast: xr.Dataset | None,
-    contact: Contact,
-    tolerance: float,
-) -> xr.Dataset:
-    """Return forces on scans and extrapolated forces, with widened intervals, within their bound.
-
-    `hindcast` has results of tests of the extrapolation (`own.hindcast`), None if all surfaces are
-    substitutes. The `tolerance` is a relative change.
-    """
-    # Both forces are compared before pixels and hindcast widen the intervals.
-    force = add_extrapolated_force(scan_forces, extrapolated_forces, tolerance)
-    # The bound also holds for widened intervals.
-    return bound_by_smooth_sphere(_widen_intervals(force, hindcast, contact.rho), contact.area)
-
-
 def forces_on_scans(
     adhesion: xr.Dataset, contact: Contact, scan_sizes: Mapping[str, float], confidence: float
 ) -> xr.Dataset:
@@ -101,8 +82,7 @@ def _force_variables(
     """Return the variables of one surface, whose `forces` are at the configured work.
 
     The mean force of a rough sphere may rise or fall by ``position_factor``, depending on where the
-    sphere touches. The interval follows from parts of scans, whole ones or quarters:
-    ``interval_scans`` counts the scans, ``correlation_of_parts`` is that of mean forces on parts.
+    sphere touches.
     """
     mean = np.array([model_forces.mean for model_forces in forces_by_model])
     intervals = [mean_intervals(model_forces, confidence) for model_forces in forces_by_model]
@@ -137,9 +117,8 @@ def _force_variables(
 def find_extrapolated_forces(
     forces: xr.Dataset, master_scans: MasterScans, work: float, confidence: float
 ) -> xr.Dataset:
-    """Return the mean force on unfiltered masters, which have extrapolated roughness.
+    """Return the mean force (surface, side) in N on unfiltered masters; `forces` are at 1 J/m².
 
-    Forces in `forces` are plastic, at 1 J/m². ``extrapolated_force`` (surface, side) is in N.
     Roughness is artificial from the ``transition`` to the ``extrapolation_end``, both in nm.
     """
 
@@ -189,7 +168,7 @@ def _plastic_at_range(data: Any, rho: float) -> Any:
     return data.sel(contact_model=PLASTIC, drop=True).sel(rho=rho, method="nearest", drop=True)
 
 
-def _widen_intervals(force: xr.Dataset, hindcast: xr.Dataset | None, rho: float) -> xr.Dataset:
+def widen_intervals(force: xr.Dataset, hindcast: xr.Dataset | None, rho: float) -> xr.Dataset:
     """Return forces with intervals for sphere position, artificial roughness and wide pixels."""
     if "position_factor" in force:
         factor = _plastic_at_range(force, rho)["position_factor"]
@@ -198,25 +177,16 @@ def _widen_intervals(force: xr.Dataset, hindcast: xr.Dataset | None, rho: float)
         names = ["hindcast_ratio", "hindcast_ratio_interval", "hindcast_fails", "wide_pixel_ratio"]
         force = force.merge(hindcast[names], join="left")
         force = widen_interval(force, "extrapolated_force", force["hindcast_ratio"])
-        force = extend_by_pixel_factors(force)
+        interval = force["force_interval"]
+        extended = interval.where(interval["end"] != "low", interval / surface_pixel_factors(force))
+        force = force.assign(force_interval=extended.transpose(*interval.dims))
     return force
 
 
-def extend_by_pixel_factors(force: xr.Dataset) -> xr.Dataset:
-    """Lower the low ends by the factor by which pixels four times wider raise the force.
-
-    Finer pixels may lower the force as much.
-    """
-    interval = force["force_interval"]
-    extended = interval.where(interval["end"] != "low", interval / surface_pixel_factors(force))
-    return force.assign(force_interval=extended.transpose(*interval.dims))
-
-
 def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
-    """Return forces that, with their intervals, never exceed the smooth sphere's force.
+    """Return forces that, with their intervals, never exceed the force on a smooth sphere.
 
-    The bound is ``smooth_bound`` (contact_model, rho) in N; the contact `area` is in nm². Single
-    contacts have no such bound. Proof: workflow/report/theory.md (Upper bound of the force).
+    The contact `area` is in nm². Proof: workflow/report/theory.md (Upper bound of the force).
     """
     # Rigid contact has no area.
     areas = area * (force["contact_model"] == PLASTIC)
@@ -234,11 +204,7 @@ def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
 
 
 def add_closed_form(force: xr.Dataset, spectra: xr.Dataset, contact: Contact) -> xr.Dataset:
-    """Return forces with the search size (nm) and the Weibull modulus (surface) in closed form.
-
-    The attribute `bodies` is the status of `tabor_parameter`: whether the bodies are ``"hard"`` or
-    ``"soft"``, or ``"unknown"``.
-    """
+    """Return forces with the search size (nm) and the Weibull modulus (surface) in closed form."""
     surface_spectra = [
         spectrum_of_dataset(spectra.sel(surface=name)) for name in force["surface"].values
     ]
@@ -252,12 +218,7 @@ def add_closed_form(force: xr.Dataset, spectra: xr.Dataset, contact: Contact) ->
 
 
 def add_sizes(force: xr.Dataset, topography: xr.Dataset, contact: Contact) -> xr.Dataset:
-    """Add to the forces, which need `search_size`, how the widths of scan and window limit them.
-
-    ``finite_scan_ratio`` (surface, end) bounds the force on a scan relative to a large scan;
-    ``window_share`` (rho) is the share of a smooth sphere's attraction within the window. The
-    ``pixel_area`` (surface) and the attribute `contact_area` are in nm², `window` in nm.
-    """
+    """Add to the forces, which need `search_size`, how the widths of scan and window limit them."""
     scans = topography[["scan_size", "pixel_size"]].sel(surface=force["surface"])
     ratios = [
         finite_scan_ratio(*sizes)
@@ -271,11 +232,7 @@ def add_sizes(force: xr.Dataset, topography: xr.Dataset, contact: Contact) -> xr
 
 
 def contacts_needed(forces: xr.DataArray, tolerance: float, confidence: float) -> xr.DataArray:
-    """Return how many contacts, at least one, give a mean force within the relative tolerance.
-
-    The number (surface, contact_model, rho) holds with the confidence; the forces are of single
-    contacts on the scans.
-    """
+    """Return how many contacts give a mean force within the relative tolerance."""
     relative_std = forces.std(SINGLE_CONTACT_AXES) / forces.mean(SINGLE_CONTACT_AXES)
     quantile = float(special.ndtri((1 + confidence) / 2))
     count = (quantile / tolerance * relative_std) ** 2

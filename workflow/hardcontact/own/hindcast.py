@@ -42,23 +42,6 @@ class RandomBody(NamedTuple):
     random_stream: Sequence[str | int]  #: Surface and number of the scan.
 
 
-def random_bodies(
-    mirrored: HeightMap,
-    measurements: xr.Dataset,
-    spectra: Sequence[SpectrumFunction],
-    random_streams: Sequence[Sequence[str | int]],
-    seed: int,
-) -> list[RandomBody]:
-    """Return the bodies of a mirrored map: the substrate, and the sphere if its roughness is added.
-
-    `measurements`, `spectra` and `random_streams` have one entry for each body, in this order.
-    """
-    # The width of the substrate's scan that is used: half of its mirrored map.
-    sizes = [mirrored.size / 2, *measurements["size"].values[1:]]
-    bodies = zip(spectra, sizes, random_streams, strict=True)
-    return [RandomBody(spectrum, size, seed, stream) for spectrum, size, stream in bodies]
-
-
 def outermost_octaves(
     measurements: xr.Dataset, transitions: Mapping[str, float]
 ) -> dict[str, Octave | None]:
@@ -66,22 +49,12 @@ def outermost_octaves(
     reliable = measurements.where(measurements["reliable"].any("bin_wavevector"))
     shortest = float(reliable["shortest_reliable"].min())
     longest = float(reliable["longest_reliable"].max())
-    return {
-        side: outermost_octave(side, transition, shortest, longest)
-        for side, transition in transitions.items()
-    }
-
-
-def outermost_octave(
-    side: str, transition: float, shortest: float, longest: float
-) -> Octave | None:
-    """Return the outermost octave that a scan shows on a side; None if it shows none.
-
-    The scan is reliable from `shortest` to `longest`; beyond the transition its roughness is
-    extrapolated. All are in nm.
-    """
-    start = max(transition, shortest) if side == "short" else min(transition, longest) / 2
-    return (start, 2 * start) if shortest <= start and 2 * start <= longest else None
+    octaves: dict[str, Octave | None] = {}
+    for side, transition in transitions.items():
+        start = max(transition, shortest) if side == "short" else min(transition, longest) / 2
+        is_shown = shortest <= start and 2 * start <= longest
+        octaves[side] = (start, 2 * start) if is_shown else None
+    return octaves
 
 
 def hindcast_forces(
@@ -95,7 +68,6 @@ def hindcast_forces(
 
     ``scan_octave_force`` (side, contact_y, contact_x) is with the octave of the scan,
     ``artificial_octave_force`` (side, realization, ...) with random octaves of all bodies instead.
-    Both are NaN if the scan shows no octave.
     """
     side_forces = {}
     for side, octave in octaves.items():
@@ -155,10 +127,9 @@ def _artificial_octave(
 def hindcast_ratios(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
     """Return ``hindcast_ratio`` and ``hindcast_fails`` (side) from the forces on a surface's scans.
 
-    The dimension `map` of the forces has an entry for each scan. The ratio is the mean force with
-    artificial octaves relative to the force with the octave of the scans. Its interval is a
-    prediction interval, which holds the ratio with one more random octave. The hindcast fails if
-    there is no octave, or if the whole interval lies outside the tolerance.
+    The ratio is the mean force with artificial octaves relative to that with the octave of the
+    scans; its interval holds the ratio with one more random octave. The hindcast fails if the whole
+    interval lies outside the tolerance, or if there is no octave.
     """
     dimensions = ["map", *CONTACT_AXES]
     log_scan_force = xr.DataArray(np.log(forces["scan_octave_force"].mean(dimensions)))
@@ -183,8 +154,7 @@ def hindcast_dataset(forces: xr.Dataset, tolerance: float, confidence: float) ->
     """Return `hindcast_ratios`, and two forces relative to the force on the scans.
 
     ``wide_pixel_ratio`` is on wide pixels, ``filtered_scan_ratio`` without the waves shorter than
-    the outermost octave. The forces (map, ...) come from `hindcast_forces` and
-    `wide_pixels.forces_by_pixel_width`.
+    the outermost octave.
     """
     means = forces.mean(["map", *CONTACT_AXES])
     filtered = means["scan_octave_force"].sel(side="short", drop=True) / means["scan_force"]

@@ -26,7 +26,7 @@ from hardcontact.inference.mean_forces import (
 )
 from hardcontact.own.own_spectrum import OwnSpectrum
 from hardcontact.own.scan_contact import Obstacle, contact_on_scan, find_obstacle
-from hardcontact.own.wide_pixels import finer_pixel_factors, widen_pixels
+from hardcontact.own.wide_pixels import widen_pixels
 from hardcontact.scans.joined_spectrum import ScanSpectrum
 from hardcontact.surfaces.height_map import HeightMap, mirror_in_float32
 from hardcontact.surfaces.spectrum import Spectrum, measured_psds
@@ -64,14 +64,11 @@ def prediction_and_scan_force(
     confidence: float,
     name: str = "spectrum",
 ) -> dict[str, Number]:
-    """Return the numbers of the closed form for a spectrum, and of the force on its only map.
-
-    If there is a force on the map, and the closed form does not agree with it, finite numbers of
-    the closed form are OUTSIDE, and their intervals are NaN.
-    """
+    """Return the numbers of the closed form for a spectrum, and of the force on its only map."""
     numbers = prediction(own_spectrum.spectrum, contact, tolerance, name)
     scan_numbers = force_on_scan(own_spectrum, contact, confidence)
     closed_form_on_scan = scan_numbers.get("closed_form_on_scan")
+    # A closed form that fails on the map has no known error for its spectrum, either.
     if closed_form_on_scan is not None and closed_form_on_scan.status != ClosedFormStatus.AGREES:
         for quantity in numbers.keys() & CLOSED_FORM_NAMES:
             number = numbers[quantity]._replace(low=math.nan, high=math.nan)
@@ -83,11 +80,7 @@ def prediction_and_scan_force(
 def force_on_scan(
     own_spectrum: OwnSpectrum, contact: Contact, confidence: float
 ) -> dict[str, Number]:
-    """Return the force summed over the pixels of the only map, or why there is none.
-
-    Returns no numbers if the spectrum comes from a table. The search size follows from the
-    extrapolated spectrum, as in a study.
-    """
+    """Return the force summed over the pixels of the only map, or why there is none."""
     spectrum, _, scans, body_maps = own_spectrum
     if not (scans and isinstance(spectrum, ScanSpectrum)):
         return {}
@@ -103,7 +96,7 @@ def force_on_scan(
     surface_forces = _surface_forces(scan, mirrored_scan, body_maps, contact)
     wide_pixel_ratio = _wide_pixel_ratio(scan, mirrored_scan, contact)
     # Finer pixels may lower forces, but not raise them: they lower the low end of intervals.
-    pixel_factor = float(finer_pixel_factors(wide_pixel_ratio))
+    pixel_factor = float(np.fmax(wide_pixel_ratio, 1.0))
     force = _mean_force(surface_forces, smooth_force(contact), pixel_factor, confidence)
     search_width = search_size(spectrum.extrapolated(), contact.radius, contact.area)
     size_status = ScanSize.SMALL if scan.size < LARGE_SIZE_RATIO * search_width else ScanSize.LARGE
@@ -169,9 +162,7 @@ def _closed_form_number(
 ) -> Number:
     """Return the force in closed form for all wavelengths of the mirrored scan.
 
-    The force on the map agrees if it lies between the lower end of the closed form's interval and
-    the upper end times `small_scan_ratio`, and the closed form was tested on such spectra. Unless
-    it agrees, the interval is NaN.
+    Its interval, of which `small_scan_ratio` raises the upper end, is NaN unless the force agrees.
     """
     wavevector, _, density = measured_psds(mirrored_scan)
     has_waves = np.isfinite(density)

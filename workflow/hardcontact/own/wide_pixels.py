@@ -1,7 +1,4 @@
-"""Forces on pixels four times as wide.
-
-The factor by which they raise the force estimates that by which finer pixels would lower it.
-"""
+"""Forces on pixels four times as wide, which estimate how much finer pixels would lower forces."""
 
 from dataclasses import replace
 
@@ -38,16 +35,7 @@ def forces_by_pixel_width(
     return xr.Dataset({name: (CONTACT_AXES, force, FORCE_ATTRS) for name, force in forces.items()})
 
 
-def finer_pixel_factors(wide_pixel_ratios: np.ndarray | float) -> np.ndarray:
-    """Return the largest factors by which finer pixels may lower forces; 1 where a ratio is NaN.
-
-    `wide_pixel_ratios` are forces on wide pixels relative to those on the pixels of the scan
-    (tests/benchmarks/validate_random_surfaces.py).
-    """
-    return np.asarray(np.fmax(wide_pixel_ratios, 1.0))
-
-
 def surface_pixel_factors(force_dataset: xr.Dataset) -> xr.DataArray:
     """Return the factors (surface) by which finer pixels may lower forces, 1 for substitutes."""
     ratios = force_dataset.get("wide_pixel_ratio", xr.ones_like(force_dataset["surface"], float))
-    return ratios.copy(data=finer_pixel_factors(ratios.values))
+    return ratios.copy(data=np.fmax(ratios.values, 1.0))

@@ -93,8 +93,12 @@ def _paper_faults(study: dict[str, Any], table: pd.DataFrame) -> list[str]:
     contacts = table[table.use == CONTACT_USE]
     surfaces = list(contacts.surface.unique())
     substrates = [surface for surface in surfaces if surface != study["sphere"]["surface"]]
-    faults = [
-        *_surface_key_faults(study, surfaces, substrates),
+    faults = _name_faults(study, "sphere.surface", surfaces)
+    for key in ("reference_surface", "indent.surface"):
+        faults += _name_faults(study, key, substrates)
+    if study["substitutes"]["featured_surface"] != NONE:
+        faults += _name_faults(study, "substitutes.featured_surface", substrates)
+    faults += [
         *_substrate_faults(substrates),
         *_pool_size_faults(study, contacts[contacts.surface.isin(substrates)]),
     ]
@@ -103,18 +107,6 @@ def _paper_faults(study: dict[str, Any], table: pd.DataFrame) -> list[str]:
 
     with collect_faults(faults):
         check_claims(published.CLAIMS)
-    return faults
-
-
-def _surface_key_faults(
-    study: dict[str, Any], surfaces: list[str], substrates: list[str]
-) -> list[str]:
-    """Return the faults of keys of the paper's study that name a surface."""
-    faults = _name_faults(study, "sphere.surface", surfaces)
-    for key in ("reference_surface", "indent.surface"):
-        faults += _name_faults(study, key, substrates)
-    if study["substitutes"]["featured_surface"] != NONE:
-        faults += _name_faults(study, "substitutes.featured_surface", substrates)
     return faults
 
 
@@ -162,11 +154,7 @@ def _own_surface_faults(study: dict[str, Any], table: pd.DataFrame) -> list[str]
 
 
 def load_or_read_scan(study: dict[str, Any], row: Any) -> HeightMap:
-    """Return a measured scan of a row of the table, as `read_scan` reads it.
-
-    The rule read_scan stores scans. A file is read here only if its scan was not stored, or the
-    file, its keys or the code changed.
-    """
+    """Return a measured scan of a row of the table, stored by the rule read_scan or read again."""
     file = MEASUREMENT.format(surface=row.surface, scan=row.scan, digest="*")
     arguments = reading_arguments(study) | {"dataset": row.dataset}
     for stored_path in glob(f"{escape(study['store'])}/measurements/*/{file}"):

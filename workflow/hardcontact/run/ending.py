@@ -75,10 +75,9 @@ def kill_run_at_next_interrupt(workflow: Any) -> None:
 
 
 def stop_run_at_interrupt(workflow: Any) -> None:
-    """Stop the run and its jobs at Ctrl-C, which the jobs do not receive.
+    """Kill the run and its jobs at Ctrl-C, because Snakemake would wait for jobs.
 
-    Both are killed, because jobs would print tracebacks, and Snakemake would wait for them. On a
-    cluster the first Ctrl-C lets Snakemake cancel the jobs; the second kills the run.
+    On a cluster the first Ctrl-C lets Snakemake cancel the jobs; the second kills the run.
     """
     if workflow.local_exec:
         # Threads and jobs that begin from here on inherit what is blocked.

@@ -1,7 +1,6 @@
 """The files that a run makes again: their records differ from their present origin.
 
-Times and Snakemake's own metadata do not count: they are lost or misleading after a copy, a power
-loss or a clock set back.
+Times and Snakemake's metadata do not count, because a copy or a power loss makes them wrong.
 """
 
 import os
@@ -43,10 +42,9 @@ class Changes(NamedTuple):
 
 
 class Reruns:
-    """Finds what changed since the files of a run were made.
+    """Finds what changed since the files of a run were made; jobs are Snakemake's.
 
-    A job is Snakemake's: it has paths as `input` and a mapping as `params.parameters`. The lineage
-    of a file is one digest of all parameters, versions and files not made by a job that lead to it.
+    The lineage of a file is one digest of all that leads to it.
     """
 
     def __init__(self, dependencies: Mapping[Any, Mapping[Any, Iterable[str]]]) -> None:
