@@ -3,7 +3,7 @@
 from hardcontact.base.dataset import add_surface_names
 from hardcontact.base.statistics import Sampling
 from hardcontact.inference.forces_on_masters import read_master_forces
-from hardcontact.paper.edge_shifts import compute_edge_shifts
+from hardcontact.paper.contact_dependence import compute_edge_shifts
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:

@@ -2,7 +2,7 @@
 
 from hardcontact.base.dataset import add_surface_names
 from hardcontact.inference.forces_on_masters import read_master_forces
-from hardcontact.paper.exponents import fit_exponents
+from hardcontact.paper.contact_dependence import fit_exponents
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:

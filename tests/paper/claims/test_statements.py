@@ -13,7 +13,7 @@ from hardcontact.paper.claims.selection import LABELS, SURFACES
 from hardcontact.paper.claims.statements import check_claims
 from hardcontact.paper.classical_comparison import METRIC_PREFIXES
 from hardcontact.paper.classical_models import CLASSICAL_MODELS, Roughness
-from hardcontact.paper.exponents import SCALED_QUANTITIES
+from hardcontact.paper.contact_dependence import SCALED_QUANTITIES
 from hardcontact.paper.posterior import NONE_LEFT_OUT
 from hardcontact.surfaces.synthesis import SIDES
 

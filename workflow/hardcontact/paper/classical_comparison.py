@@ -29,12 +29,6 @@ from hardcontact.paper.classical_models import (
 
 #: Prefixes of the rows of Table 1: roughness of the AFM scans, and roughness of all scales.
 METRIC_PREFIXES = {"afm": "afm", "all_scales": "all"}
-#: Dimensions and units of the variables about models and power laws.
-MODEL_VARIABLES = {
-    "model_force": (("model", "surface"), NEWTON),
-    "mean_relative_error": (("model", "force_source"), DIMENSIONLESS),
-    "power_law_error": (("rms_parameter", "force_source"), DIMENSIONLESS),
-}
 #: Works of adhesion (J/m²) among which the best fit is searched first.
 SEARCHED_WORKS = np.geomspace(1e-3, 10, 401)
 #: Exponents of power laws of roughness parameters that are searched first.
@@ -50,32 +44,38 @@ def apply_classical_models(
     printed: pd.DataFrame,
     sampling: Sampling,
 ) -> xr.Dataset:
-    """Return classical.nc: effective works of adhesion, forces and errors of classical models.
+    """Return classical.nc, from fit.nc and the tables of `published`.
 
-    The fit (fit.nc) has mean forces of plastic contact at the published pair; constants and tables
-    come from `published`. Intervals follow from the uncertainty of Table 1 and the rounding of
-    printed forces. NaN if the paper prints no force or no roughness of a surface.
+    Intervals follow from the uncertainty of Table 1 and the rounding of printed forces. NaN if the
+    paper prints no force or no roughness of a surface.
     """
     rows = table1.pivot(index="surface", columns="quantity", values=["value", "uncertainty"])
     rows = rows.dropna()
-    printed = printed.dropna(subset="mean_force")
-    published = rows.index.intersection(printed.index)
+    printed_means = printed["mean_force"].dropna()
+    published = rows.index.intersection(printed_means.index)
     surfaces = [name for name in fit["surface"].values.tolist() if name in published]
+    radius = fit.attrs["sphere_radius"]
+    work = constants["work_of_adhesion"]
+    sphere = ElasticSphere(radius, effective_modulus(constants), constants["equilibrium_spacing"])
+    # Forces and effective works (surface, 3) are values, low and high ends of intervals.
     forces = {
-        "published": _rounded_numbers(printed.loc[surfaces, "mean_force"]),
+        "published": _rounded_numbers(printed_means[surfaces]),
         "computed": _forces_at_published_pair(fit.sel(surface=surfaces)),
     }
-    radius, work = fit.attrs["sphere_radius"], constants["work_of_adhesion"]
-    sphere = ElasticSphere(radius, effective_modulus(constants), constants["equilibrium_spacing"])
-    effective_works = _effective_works(forces, radius, constants["tabor_parameter"])
+    # The printed Tabor parameter counts; the computed one differs (departures.md, 5).
+    maugis = hertz_jkr_dmt.maugis_parameter(constants["tabor_parameter"])
+    coefficient = hertz_jkr_dmt.pull_off_coefficient(maugis)
+    effective_works = {
+        source: hertz_jkr_dmt.effective_work_of_adhesion(force_and_ends, radius, coefficient)
+        for source, force_and_ends in forces.items()
+    }
     models = {}
     for metrics in METRIC_PREFIXES:
         roughness = _sample_roughness(rows.loc[surfaces], metrics, sampling)
-        samples = _model_samples(roughness, sphere, work, forces, effective_works)
-        variables: dict[str, Any] = {}
-        for name, (dimensions, unit) in MODEL_VARIABLES.items():
-            variables |= sampling.sampled_variables(name, dimensions, samples[name], unit)
+        variables = _model_variables(roughness, sphere, work, forces, effective_works, sampling)
         models[(metrics,)] = xr.Dataset(variables)
+    pressure = hertz_jkr_dmt.hertz_peak_pressure(constants["preload"], radius, sphere.modulus)
+    tabor = hertz_jkr_dmt.tabor_parameter(work, radius, sphere.modulus, sphere.spacing)
     return (
         stack(models, ["metrics"])
         .merge(_forces_and_works(forces, effective_works, sampling.confidence))
@@ -86,30 +86,15 @@ def apply_classical_models(
             rms_parameter=list(Roughness._fields),
         )
         .reindex(surface=fit["surface"].values)
-        .merge(_smooth_contact(sphere, work, constants["preload"]))
         .assign(
+            tabor_parameter=((), tabor, DIMENSIONLESS),
+            hertz_peak_pressure=((), pressure, PASCAL),
             model_label=("model", [model.label for model in CLASSICAL_MODELS.values()]),
             label=fit["label"],
             source=fit["source"],
         )
         .assign_attrs(error_threshold=fit.attrs["error_threshold"], confidence=sampling.confidence)
     )
-
-
-def _effective_works(
-    forces: Mapping[str, Floats], radius: float, tabor_parameter: float
-) -> dict[str, Floats]:
-    """Return the effective works of adhesion (surface, 3) by source of the forces.
-
-    Forces and works are values, low and high ends of intervals. The Tabor parameter is the printed
-    one; the computed one differs (departures.md, 5).
-    """
-    maugis = hertz_jkr_dmt.maugis_parameter(tabor_parameter)
-    coefficient = hertz_jkr_dmt.pull_off_coefficient(maugis)
-    return {
-        source: hertz_jkr_dmt.effective_work_of_adhesion(force_and_ends, radius, coefficient)
-        for source, force_and_ends in forces.items()
-    }
 
 
 def _sample_roughness(rows: pd.DataFrame, metrics: str, sampling: Sampling) -> Roughness:
@@ -128,18 +113,6 @@ def _sample_roughness(rows: pd.DataFrame, metrics: str, sampling: Sampling) -> R
         samples = truncnorm.rvs(-mean / spread, np.inf, mean, spread, size=size, random_state=rng)
         samples_by_quantity.append(np.vstack([mean, samples]))
     return Roughness(*samples_by_quantity)
-
-
-def _smooth_contact(sphere: ElasticSphere, work: float, preload: float) -> xr.Dataset:
-    """Return Tabor parameter and Hertz peak pressure of a smooth sphere on a plane."""
-    pressure = hertz_jkr_dmt.hertz_peak_pressure(preload, sphere.radius, sphere.modulus)
-    tabor = hertz_jkr_dmt.tabor_parameter(work, sphere.radius, sphere.modulus, sphere.spacing)
-    return xr.Dataset(
-        {
-            "tabor_parameter": ((), tabor, DIMENSIONLESS),
-            "hertz_peak_pressure": ((), pressure, PASCAL),
-        }
-    )
 
 
 def _forces_at_published_pair(fit: xr.Dataset) -> Floats:
@@ -164,7 +137,7 @@ def _half_unit(printed: str) -> float:
 def _forces_and_works(
     forces: Mapping[str, Floats], effective_works: Mapping[str, Floats], confidence: float
 ) -> xr.Dataset:
-    """Return mean forces and effective works from arrays (surface, 3): value, low and high end."""
+    """Return mean forces and effective works as variables."""
     works_and_ends = np.stack(list(effective_works.values()))
     variables = as_variables(
         "effective_work_of_adhesion", ("force_source", "surface"),
@@ -176,17 +149,16 @@ def _forces_and_works(
     return xr.Dataset(variables)
 
 
-def _model_samples(
+def _model_variables(
     roughness: Roughness,
     sphere: ElasticSphere,
     work: float,
     forces: Mapping[str, Floats],
     effective_works: Mapping[str, Floats],
-) -> dict[str, Floats]:
-    """Return the values of MODEL_VARIABLES, after the dimensions of a roughness (..., surface).
-
-    Forces and effective works are (surface, 3), their values first.
-    """
+    sampling: Sampling,
+) -> dict[str, Any]:
+    """Return forces and errors of models and errors of power laws, with intervals by sampling."""
+    model_forces = [model.force(work, roughness, sphere) for model in CLASSICAL_MODELS.values()]
     errors = [
         [classical_error(model, roughness, sphere, force[:, 0]) for force in forces.values()]
         for model in CLASSICAL_MODELS.values()
@@ -195,22 +167,29 @@ def _model_samples(
         [power_law_error(parameter, works[:, 0]) for works in effective_works.values()]
         for parameter in roughness
     ]
-    model_forces = [model.force(work, roughness, sphere) for model in CLASSICAL_MODELS.values()]
-    return {
-        "model_force": np.stack(model_forces, axis=-2),
-        "mean_relative_error": np.moveaxis(np.array(errors), (0, 1), (-2, -1)),
-        "power_law_error": np.moveaxis(np.array(power_law_errors), (0, 1), (-2, -1)),
-    }
+    return (
+        sampling.sampled_variables(
+            "model_force", ("model", "surface"), np.stack(model_forces, axis=-2), NEWTON
+        )
+        | sampling.sampled_variables(
+            "mean_relative_error",
+            ("model", "force_source"),
+            np.moveaxis(np.array(errors), (0, 1), (-2, -1)),
+            DIMENSIONLESS,
+        )
+        | sampling.sampled_variables(
+            "power_law_error",
+            ("rms_parameter", "force_source"),
+            np.moveaxis(np.array(power_law_errors), (0, 1), (-2, -1)),
+            DIMENSIONLESS,
+        )
+    )
 
 
 def classical_error(
     model: ClassicalModel, roughness: Roughness, sphere: ElasticSphere, target: Floats
 ) -> Floats:
-    """Return the smallest error (...) of a model at any work of adhesion for forces (surface,).
-
-    The error is the mean over surfaces of |F/target - 1|. Works are searched among SEARCHED_WORKS,
-    unless the force of the model is proportional to the work.
-    """
+    """Return the mean over surfaces of |F/target - 1| (...) at the best work of adhesion."""
     if model.is_proportional:
         _, error = fit_work(model.force(1.0, roughness, sphere)[..., None], target)
         return error[..., 0]
@@ -226,10 +205,7 @@ def classical_error(
 
 
 def power_law_error(parameter: Floats, effective_works: Floats) -> Floats:
-    """Return the error (...) of the best power law of a parameter (..., surface) for works.
-
-    The error is the mean over surfaces of |prediction/work - 1|.
-    """
+    """Return the mean over surfaces of |prediction/work - 1| (...) of the best power law."""
     logarithm = np.log(parameter / parameter.mean(axis=-1, keepdims=True))[..., None]
 
     def error_at(exponents: Floats) -> Floats:
@@ -244,7 +220,7 @@ def _search_minimum(
 ) -> Floats:
     """Return the smallest error (...) on an even grid, refined about the best value.
 
-    `error_at` returns the errors (..., k) at values (..., k).
+    `error_at` returns the errors (..., k) at values (..., k); `shape` is that of the result.
     """
     step = grid[1] - grid[0]
     values = np.broadcast_to(grid, (*shape, grid.size))

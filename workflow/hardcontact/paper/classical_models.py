@@ -1,9 +1,8 @@
 """Classical models of the adhesion of a rough sphere, applied to the roughness of Table 1.
 
-The models need radii, heights and distances of asperities, which Table 1 does not give: each
-function says how it takes them from rms height, slope and curvature. No formula was compared with
-its primary source. Lengths are in nm, forces in N, works of adhesion in J/m², moduli in Pa.
-Attractive forces are positive. Arrays broadcast.
+The models need asperities, which Table 1 does not give: each function says how it takes them from
+rms height, slope and curvature. No formula was compared with its primary source. Lengths are in nm,
+forces in N, works of adhesion in J/m², moduli in Pa. Attractive forces are positive.
 """
 
 from collections.abc import Callable
@@ -89,9 +88,7 @@ def rabinovich(work: Values, roughness: Roughness, sphere: ElasticSphere) -> Val
 def adhesion_index(work: Values, roughness: Roughness, modulus: float) -> Values:
     """Return the elastic adhesion index E* σ^1.5/(β^½ W) of asperities of the radius β.
 
-    It is the force that flattens asperities, whose heights have the standard deviation σ, relative
-    to their adhesion. Adhesion vanishes beyond an index of about 10. Fuller and Tabor, Proc. R.
-    Soc. A 345 (1975) 327.
+    The standard deviation of their heights is σ. Fuller and Tabor, Proc. R. Soc. A 345 (1975) 327.
     """
     height = roughness.height * NANOMETRE
     asperity = 1 / roughness.curvature * NANOMETRE
@@ -143,10 +140,7 @@ def _dmt_tension(compression: Floats) -> Values:
 
 
 def _log_largest_tension(tension: Tension, spread: float) -> float:
-    """Return the logarithm of the largest mean tension of asperities over all separations.
-
-    The standard deviation `spread` of asperity heights is in the unit of the compression.
-    """
+    """Return the logarithm of the largest mean tension of asperities over all separations."""
     lowest, highest = -3 / spread - 12, 10 + 6 * spread
     # From this separation on the asperities pull more than they push. The limits contain it for all
     # adhesion indices of the table.
@@ -187,7 +181,7 @@ def _mean_tension(tension: Tension, spread: float, separation: float) -> tuple[f
 
 @lru_cache
 def _force_spline(tension: Tension, factor: float) -> CubicSpline:
-    """Return a spline of ln(-ln r) by ln θ, r the relative force; nearly straight if r is not 0.
+    """Return a spline of ln(-ln r) by ln θ: relative pull-off force r at the adhesion index θ.
 
     The spread of heights in the unit of the compression is (factor θ²/9π²)^⅓.
     """
@@ -198,10 +192,7 @@ def _force_spline(tension: Tension, factor: float) -> CubicSpline:
 
 
 def _relative_pull_off(tension: Tension, factor: float, index: Values) -> Values:
-    """Return the pull-off force of asperities relative to as many asperities of equal height.
-
-    `_force_spline` explains the factor.
-    """
+    """Return the pull-off force of asperities relative to as many asperities of equal height."""
     log_index = np.log(np.clip(index, *ADHESION_INDICES))
     return np.exp(-np.exp(_force_spline(tension, factor)(log_index)))
 

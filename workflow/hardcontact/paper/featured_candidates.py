@@ -47,11 +47,7 @@ def compute_candidates(
     contact: Contact,
     ranges: list[float],
 ) -> xr.Dataset:
-    """Return features, roughness and forces of candidates of one of FEATURE_KINDS.
-
-    Forces (candidate, scan, contact_model, rho, contact_y, contact_x) of a smooth sphere on
-    levelled, mirrored scans are in N at 1 J/m², at ranges in nm.
-    """
+    """Return features, roughness and `smooth_sphere_forces` of candidates of a kind of features."""
     candidates = []
     for number in progress(numbers, len(numbers), "surfaces with features"):
         features, scans = sample_featured_scans(featured, kind, range(1, scan_count + 1), number)
@@ -67,7 +63,7 @@ def compute_candidates(
 def candidates_by_surface(
     chunks: Mapping[tuple[Any, ...], xr.Dataset],
 ) -> dict[str, dict[str, xr.Dataset]]:
-    """Return the candidates of each surface and kind of features, joined from chunks.
+    """Return the candidates of each surface and kind of features.
 
     A chunk from `compute_candidates` has the key surface, kind, first and last candidate.
     """
@@ -79,9 +75,8 @@ def candidates_by_surface(
 
 def candidate_of_set(candidates: Mapping[str, xr.Dataset], set_number: int) -> xr.Dataset:
     """Return the candidate that no other set has: bumps for odd sets, pits for even sets."""
-    index = set_number - 1
-    candidate = index // len(FEATURE_SIGNS)
-    return candidates[alternating_kind(index)].isel(candidate=candidate, drop=True)
+    index, kind_index = divmod(set_number - 1, len(FEATURE_SIGNS))
+    return candidates[alternating_kind(kind_index)].isel(candidate=index, drop=True)
 
 
 def compare_features(
@@ -92,21 +87,22 @@ def compare_features(
 ) -> xr.Dataset:
     """Return features.nc: CANDIDATE_STATISTICS (features, candidate), and published statistics.
 
-    The dimension ``features`` has the kinds of features. `candidates_by_surface` explains `chunks`.
-    `sphere_factors` (contact_model, surface, rho) are the forces on the rough sphere relative to a
-    smooth sphere. The paper has one surface with features at most; without one the dataset is
-    empty.
+    A study has at most one surface with features; without one the dataset is empty. The keys of
+    `chunks` are as in `candidates_by_surface`, `sphere_factors` come from `sets.sphere_factor`.
     """
     if not chunks:
-        return _empty_comparison()
+        empty = ("features", "candidate"), np.empty((len(FEATURE_KINDS), 0))
+        return xr.Dataset(
+            {name: (*empty, unit) for name, unit in CANDIDATE_STATISTICS.items()},
+            {"features": list(FEATURE_KINDS), "candidate": np.arange(0)},
+            {"surface": "", "label": "", "source": "substitute"},
+        )
     ((surface, candidates),) = candidates_by_surface(chunks).items()
     factor = sphere_factors.sel(contact_model=PLASTIC, surface=surface, drop=True)
     targets = published.forces.loc[surface].to_dict()
     statistics = [
-        _candidate_statistics(
-            candidates_of_kind.sel(contact_model=PLASTIC), factor, published.pair, targets
-        )
-        for candidates_of_kind in candidates.values()
+        _candidate_statistics(kind.sel(contact_model=PLASTIC), factor, published.pair, targets)
+        for kind in candidates.values()
     ]
     log_std = log_std_of_lognormal(targets["mean_force"], targets["median_force"])
     kinds = pd.Index(list(candidates), name="features")
@@ -141,13 +137,3 @@ def _candidate_statistics(
     }
     features = [name for name in candidates if candidates[name].dims == ("candidate",)]
     return candidates[features].assign(statistics)
-
-
-def _empty_comparison() -> xr.Dataset:
-    """Return the empty features.nc of a study without features."""
-    empty = ("features", "candidate"), np.empty((len(FEATURE_KINDS), 0))
-    return xr.Dataset(
-        {name: (*empty, unit) for name, unit in CANDIDATE_STATISTICS.items()},
-        {"features": list(FEATURE_KINDS), "candidate": np.arange(0)},
-        {"surface": "", "label": "", "source": "substitute"},
-    )

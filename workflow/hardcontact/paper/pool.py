@@ -1,8 +1,7 @@
 """Pool of substitute scans: their forces at several rms heights, and the scans that a set takes.
 
-The pool of a substrate has many substitute scans. A set is a random choice of them, whose rms
-heights it scales to Table 1. Its forces are interpolated between the forces at a few rms heights,
-which span all heights that sets need.
+A set is a random choice of scans, whose rms heights it scales to Table 1. Its forces are
+interpolated between the forces at a few rms heights, which span all heights that sets need.
 """
 
 from collections.abc import Sequence
@@ -57,7 +56,7 @@ def compute_pool(
     """Return the metrics of Table 1 of some scans of a pool, by number, and the forces on them.
 
     ``log_force`` (scan, rms_height_of_force, contact_model, rho, contact_y, contact_x) is ln(force
-    in N) at 1 J/m². Rms heights and ranges of adhesion are in nm.
+    in N) at 1 J/m².
     """
     scan_datasets = []
     for scan_number in progress(scan_numbers, len(scan_numbers), "scans of the pool"):
@@ -98,9 +97,8 @@ def smooth_sphere_forces(scan: HeightMap, contact: Contact, ranges: list[float])
 def scans_of_set(pool: xr.Dataset, rng: np.random.Generator, scan_count: int) -> xr.Dataset:
     """Return the scans of one substrate in a set, sampled from its pool without replacement.
 
-    Their rms heights have the mean and the standard deviation of Table 1. A set is sampled again if
-    a height is below the lowest height of the pool. Raises ValueError if no set with possible
-    heights is found.
+    Their rms heights have the mean and the standard deviation of Table 1. Raises ValueError if no
+    set is found whose heights are above the lowest height of the pool.
     """
     lowest = pool["rms_height_of_force"].values.min()
     mean = pool.attrs["mean_rms_height"]

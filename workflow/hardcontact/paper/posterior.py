@@ -39,9 +39,8 @@ def sample_range_and_work(
 ) -> tuple[NDArray[np.int_], Floats]:
     """Return samples of the index of the range, and of the logarithm of the work of adhesion.
 
-    `log_curves` are logarithms of computed forces (replicate, surface, range) at 1 J/m²; the ranges
-    are evenly spaced in their logarithm. `log_targets` are logarithms of measured mean forces
-    (surface,), `errors` their standard deviations.
+    `log_curves` are logarithms of computed forces (replicate, surface, range) at 1 J/m², `errors`
+    standard deviations of `log_targets` (surface,). Ranges are evenly spaced in their logarithm.
     """
     precision = 1 / errors**2
     log_works = log_targets[:, None] - log_curves
@@ -58,10 +57,9 @@ def sample_range_and_work(
 def posterior_of_forces(
     mean_forces: xr.DataArray, published: pd.DataFrame, sampling: Sampling
 ) -> xr.Dataset:
-    """Return samples of range (nm) and work (J/m²), their medians and intervals.
+    """Return `summarize_samples` of the posterior; surfaces without a published mean do not enter.
 
-    The computed mean forces (replicate, surface, rho) are in N at 1 J/m². The published mean and
-    median forces are in N by surface; surfaces without a mean do not enter.
+    The computed mean forces (replicate, surface, rho) are in N at 1 J/m².
     """
     targets = published.reindex(mean_forces["surface"].values).dropna(subset="mean_force")
     forces = mean_forces.sel(surface=targets.index).transpose("replicate", "surface", "rho")

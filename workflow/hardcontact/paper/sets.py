@@ -1,9 +1,8 @@
 """Sets of scans: forces, fit, band and claims of each, computed as for the study, for sets.nc.
 
 A set has as many scans and masters of each substrate as the study. Its scans come from the pool of
-the substrate. Its masters are sampled with replacement from those that all sets share, and are not
-scaled to Table 1 again. A surface with features has its own candidate (`featured_candidates`). The
-scatter over sets shows how much the numbers of the study depend on its scans.
+the substrate (`pool`), or are a candidate with features (`featured_candidates`). Its masters are
+sampled with replacement from those that all sets share, and are not scaled to Table 1 again.
 """
 
 from collections.abc import Mapping, Sequence
@@ -65,7 +64,7 @@ class SetSettings(NamedTuple):
 def sphere_factor(adhesion: xr.Dataset, sampled_substrates: Sequence[str]) -> xr.DataArray:
     """Return the mean forces on the rough sphere relative to a smooth sphere.
 
-    They are (contact_model, surface, rho); NaN on substrates whose scans are not sampled.
+    They are (contact_model, surface, rho), NaN on other substrates.
     """
     rough = adhesion["pull_off_force"].mean(["scan", "sphere_scan", *CONTACT_AXES])
     smooth = adhesion["smooth_sphere_force"].mean("scan")
@@ -73,10 +72,7 @@ def sphere_factor(adhesion: xr.Dataset, sampled_substrates: Sequence[str]) -> xr
 
 
 def sample_set_scans(inputs: SetInputs, seed: int, set_number: int) -> dict[str, xr.Dataset]:
-    """Return forces on and metrics of a set's scans, by substrate with a pool or candidates.
-
-    A set has as many scans of a pool as the study has of the substrate.
-    """
+    """Return forces on and metrics of a set's scans, by substrate with a pool or candidates."""
     counts = inputs.topography["rms_height"].count("scan").to_series()
     pool_scans = {
         name: scans_of_set(pool, generator(seed, name, set_number, "set", "scans"), counts[name])
@@ -91,7 +87,7 @@ def sample_set_scans(inputs: SetInputs, seed: int, set_number: int) -> dict[str,
 def topography_of_set(
     inputs: SetInputs, sampled_scans: Mapping[str, xr.Dataset], confidence: float
 ) -> xr.Dataset:
-    """Return the topography of a set, as in topography.nc: metrics, their averages and labels."""
+    """Return the topography of a set, with variables of topography.nc."""
     topography = inputs.topography
     metrics = [
         sampled_scans.get(name, topography.sel(surface=name, drop=True))[[*TABLE1_METRICS.values()]]
@@ -110,16 +106,16 @@ def adhesion_of_set(
 ) -> xr.Dataset:
     """Return the pull-off forces of a set, as in adhesion.nc.
 
-    Forces on sampled scans are those of a smooth sphere times the factor of the rough sphere. Other
-    substrates keep their scans and get a sampled mean.
+    Other substrates than those of `sampled_scans` keep their scans and get a sampled mean.
     """
     adhesion = inputs.adhesion
     surface_forces = []
     for surface in adhesion["surface"].values.tolist():
         if surface in sampled_scans:
+            # The factor makes the sphere rough.
             factor = inputs.sphere_factor.sel(surface=surface, drop=True)
-            scaled_forces = sampled_scans[surface]["pull_off_force"] * factor
-            forces = scaled_forces.expand_dims(sphere_scan=[1])
+            rough_sphere_forces = sampled_scans[surface]["pull_off_force"] * factor
+            forces = rough_sphere_forces.expand_dims(sphere_scan=[1])
         else:
             study_forces = adhesion["pull_off_force"].sel(surface=surface, drop=True)
             study_forces = study_forces.dropna("scan", how="all").dropna("sphere_scan", how="all")
@@ -141,15 +137,6 @@ def scale_to_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.
     sampled_means = student_log_samples(rng, means.values, 1)[0]
     factor = xr.DataArray(sampled_means, dims=axes[1:]) / means.mean("scan").drop_vars(axes[1:])
     return (forces * factor).transpose(*forces.dims)
-
-
-def edges_of_set(
-    forces: xr.Dataset, master_count: int, tolerance: float, sampling: Sampling, set_number: int
-) -> xr.Dataset:
-    """Return `edges_of_masters` for masters of each substrate, sampled with replacement."""
-    ratio = sample_masters(forces["filtered_force_ratio"], master_count, sampling.seed, set_number)
-    set_forces = forces.drop_dims("realization").assign(filtered_force_ratio=ratio)
-    return edges_of_masters(set_forces, tolerance, sampling)[0]
 
 
 def sample_masters(
@@ -203,9 +190,12 @@ def _set_datasets(
     sampled_scans = sample_set_scans(inputs, settings.seed, set_number)
     adhesion = adhesion_of_set(inputs, sampled_scans, settings.seed, set_number)
     fit = fit_published(adhesion, published, settings.reference_surface, sampling)
-    edges = edges_of_set(
-        inputs.master_forces, settings.master_count, settings.tolerance, sampling, set_number
+    masters = inputs.master_forces
+    ratio = sample_masters(
+        masters["filtered_force_ratio"], settings.master_count, settings.seed, set_number
     )
+    set_masters = masters.drop_dims("realization").assign(filtered_force_ratio=ratio)
+    edges, _ = edges_of_masters(set_masters, settings.tolerance, sampling)
     return {
         "topography": topography_of_set(inputs, sampled_scans, settings.confidence),
         "adhesion": adhesion,

@@ -1,8 +1,7 @@
-"""Estimates about the band and the interaction radius, for claims.
+"""Estimates (`estimates`) about the band and the interaction radius, for claims.
 
-Forces are in N, lengths in nm. Each function returns an estimate (`estimates`). Its arguments are
-the datasets that claims name for it, also if it needs no number of them. `paper` has the numbers of
-resources/paper/constants.csv by name.
+Forces are in N, lengths in nm. The arguments are the datasets that claims name, also if a function
+needs no number of them. `paper` has the numbers of resources/paper/constants.csv by name.
 """
 
 import numpy as np
@@ -59,10 +58,7 @@ def change_inside_band(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
 
 
 def short_cutoff_change(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
-    """Return the largest change of force by short cutoffs up to the published transition (group).
-
-    Such cutoffs remove only artificial roughness of the paper's masters.
-    """
+    """Return the largest change by short cutoffs up to the published transition (group)."""
     is_artificial = edges["cutoff_wavelength"] <= paper["short_transition_wavelength"]
     return _largest_change(edges, is_artificial).sel(side="short", drop=True)
 
@@ -90,15 +86,12 @@ def dmt_fraction_at_last_cutoff(forces: xr.Dataset) -> xr.Dataset:
 
 
 def mean_band_ratio(band_forces: xr.Dataset) -> xr.Dataset:
-    """Return the mean over surfaces of ``band_force_ratio`` (band, band_part).
-
-    It is the force with a part of the roughness, relative to all roughness (`band_forces`).
-    Surfaces are independent, so that the half widths of their intervals add in squares.
-    """
+    """Return the mean over surfaces of ``band_force_ratio`` (band, band_part)."""
     ratio = band_forces["band_force_ratio"]
     low, high = interval_ends(band_forces, "band_force_ratio")
     mean = ratio.mean("surface")
     count = ratio.sizes["surface"]
+    # Surfaces are independent, so that the half widths of their intervals add in squares.
     low_half_width = np.sqrt(((ratio - low) ** 2).sum("surface", skipna=False)) / count
     high_half_width = np.sqrt(((high - ratio) ** 2).sum("surface", skipna=False)) / count
     return as_estimate(mean, mean - low_half_width, mean + high_half_width)
@@ -110,10 +103,10 @@ def median_force_exponent(exponents: xr.Dataset) -> xr.Dataset:
 
 
 def median_edge_exponent(exponents: xr.Dataset) -> xr.Dataset:
-    """Return the exponent of an edge against `exponent_of`, the median over surfaces.
+    """Return the median over surfaces of the exponent of an edge (side, exponent_of).
 
-    It is (side, exponent_of); NaN if the edges of any surface determine no exponent. The ends of
-    the interval are medians over the surfaces that have an interval.
+    NaN if the edges of any surface determine no exponent. The ends of the interval are medians over
+    the surfaces that have an interval.
     """
     exponent = variable_estimate(exponents, "edge_exponent")
     return exponent.median("surface").where(exponent["value"].notnull().all("surface"))
@@ -143,7 +136,7 @@ def sinusoid_share(paper: xr.Dataset) -> xr.Dataset:
     """Return the share of the attraction on the nearer half of a sinusoidal gap in contact (rho).
 
     The mean of the exponential attraction over half a period is a sum of modified Struve and Bessel
-    functions. The share is 1/2 if the attraction is uniform.
+    functions.
     """
     ranges = [paper[f"sinusoid_range_{name}"].item() for name in ("short", "long")]
     ratio = paper["sinusoid_amplitude"].item() / np.array(ranges)

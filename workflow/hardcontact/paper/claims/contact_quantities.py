@@ -1,6 +1,6 @@
-"""Estimates about roughness, contact and elasticity, for claims.
+"""Estimates (`estimates`) about roughness, contact and elasticity, for claims.
 
-Lengths are in nm, forces in N, pressures in Pa. Each function returns an estimate (`estimates`).
+Lengths are in nm, forces in N, pressures in Pa.
 """
 
 import numpy as np
@@ -47,11 +47,7 @@ def _all_over_afm(topography: xr.Dataset, quantity: str) -> xr.Dataset:
 
 
 def apex_level(adhesion: xr.Dataset, topography: xr.Dataset) -> xr.Dataset:
-    """Return the height of the sphere's apex above the mean plane, in rms heights of the scan.
-
-    It is (surface, contact_model). Contact pixels are at least as high, because a smooth sphere is
-    lowest at its apex.
-    """
+    """Return the height of the sphere's apex in rms heights (surface, contact_model)."""
     apex_height = mean_over_contacts(adhesion["apex_height"])
     return mean_over_scans(apex_height / topography["rms_height"], adhesion.attrs["confidence"])
 
@@ -62,12 +58,10 @@ def plastic_contact_area(adhesion: xr.Dataset) -> xr.Dataset:
 
 
 def share_of_two_asperities(asperities: xr.Dataset) -> xr.Dataset:
-    """Return the share of the force that the two strongest asperities carry (surface, rho).
-
-    The interval ends at the attribute ``share``, which all asperities carry together.
-    """
+    """Return the share of the force that the two strongest asperities carry (surface, rho)."""
     share = variable_estimate(asperities, "two_largest_share")
     low, high = interval_ends(share, "value")
+    # All asperities together carry the attribute `share`.
     return as_estimate(share["value"], low, high.clip(max=asperities.attrs["share"]))
 
 
@@ -94,8 +88,8 @@ def median_plastic_over_elastic_area(elastic: xr.Dataset) -> xr.Dataset:
 def deformation_over_adhesion(topography: xr.Dataset, elastic: xr.Dataset) -> xr.Dataset:
     """Return the elastic energy of conforming contact relative to the work of adhesion (surface).
 
-    The energy is E*/4 (1/2π) ∫ q² C dq for the AFM scans of the substrate; Persson and Tosatti, J.
-    Chem. Phys. 115 (2001) 5597. Wavelengths beyond the scans would add to it.
+    The energy is E*/4 (1/2π) ∫ q² C dq for the AFM scans; Persson and Tosatti, J. Chem. Phys. 115
+    (2001) 5597.
     """
     spectrum = topography["isotropic_psd"].sel(surface=elastic["surface"]).fillna(0)
     moment = (topography["wavevector"] ** 2 * spectrum).integrate("wavevector") / (2 * np.pi)
@@ -120,8 +114,7 @@ def nonstickiness(topography: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the repulsion in contacts relative to the attraction around them (surface).
 
     Two large rough surfaces stick if it is below one: Pastewka and Robbins, Proceedings of the
-    National Academy of Sciences 111 (2014) 3298. Slope and curvature are those of all scales, the
-    range of adhesion is the shortest range of atomic interactions.
+    National Academy of Sciences 111 (2014) 3298.
     """
     slope = topography[TABLE1_VARIABLES["all_rms_slope"]]
     curvature = topography[TABLE1_VARIABLES["all_rms_curvature"]]

@@ -28,8 +28,7 @@ def variable_estimate(dataset: xr.Dataset, name: str) -> xr.Dataset:
     """Return a variable as an estimate, with the variable's interval if it has one.
 
     A variable of single contacts becomes its mean over contacts and scans, with an interval over
-    scans; the dataset then needs the attribute ``confidence``. Raises KeyError if anything is
-    missing.
+    scans. Raises KeyError if the variable or, for such an interval, ``confidence`` is missing.
     """
     value = dataset[name]
     if f"{name}_interval" in dataset:
@@ -42,8 +41,7 @@ def variable_estimate(dataset: xr.Dataset, name: str) -> xr.Dataset:
 def mean_over_scans(values: xr.DataArray, confidence: float, dim: str = "scan") -> xr.Dataset:
     """Return the mean over a dimension as an estimate, with `student_log_interval`.
 
-    The interval is NaN for a single value, or if a value is not positive. It has zero width if
-    several values are all zero.
+    The interval is NaN if a value is not positive, but has zero width if several are all zero.
     """
     positive = ((values > 0) | values.isnull()).all(dim)
     interval = student_log_interval(values.where(positive), confidence, dim)
@@ -60,9 +58,9 @@ def signed_mean_over_scans(values: xr.DataArray, confidence: float) -> xr.Datase
 
 
 def quotient(numerator: xr.Dataset, denominator: xr.Dataset) -> xr.Dataset:
-    """Return the ratio of two positive estimates; negative ends of their intervals count as zero.
+    """Return the ratio of two positive estimates, whose interval has all ratios of their intervals.
 
-    Its interval is wider than needed if both are independent: its ends are ratios of their ends.
+    Negative ends of intervals count as zero.
     """
     numerator_low, numerator_high = interval_ends(numerator, "value")
     denominator_low, denominator_high = interval_ends(denominator, "value")

@@ -1,8 +1,7 @@
-"""Estimates about pull-off forces: their distribution, their fits and classical models, for claims.
+"""Estimates (`estimates`) about pull-off forces, their fits and classical models, for claims.
 
 Forces are in N, lengths in nm, works of adhesion in J/m². The reference range is the computed range
-nearest to the attribute `rho`. Each function returns an estimate (`estimates`). `paper` has the
-numbers of resources/paper/constants.csv by name.
+nearest to the attribute `rho`. `paper` has the numbers of resources/paper/constants.csv by name.
 """
 
 from collections.abc import Callable
@@ -50,17 +49,13 @@ def range_exponent_of_force(adhesion: xr.Dataset) -> xr.Dataset:
 def range_exponent_of_area(adhesion: xr.Dataset) -> xr.Dataset:
     """Return the exponent of the area that attracts against the range (surface, contact_model).
 
-    Each pixel counts by its attraction relative to a pixel in contact. By Eq. 3 the area is then
-    proportional to force times range.
+    If each pixel counts by its attraction, this area is proportional to force times range (Eq. 3).
     """
     return 1 + range_exponent_of_force(adhesion)
 
 
 def shortest_range_force_over_minimum(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the mean force at the shortest range relative to its minimum over the ranges.
-
-    The dimensions are (surface, contact_model).
-    """
+    """Return the mean force at the shortest range, relative to the smallest at any range."""
     mean = mean_over_contacts(adhesion["pull_off_force"]).sortby("rho")
     ratio = mean.isel(rho=0, drop=True) / mean.min("rho")
     return mean_over_scans(ratio, adhesion.attrs["confidence"])
@@ -85,10 +80,7 @@ def finer_pixel_ratio(adhesion: xr.Dataset) -> xr.Dataset:
 
 
 def lognormal_misfit(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the Kolmogorov distance of forces to a log-normal (surface, contact_model).
-
-    The log-normal has the mean and the standard deviation of ln F.
-    """
+    """Return the Kolmogorov distance of forces to the log-normal with mean and std of ln F."""
 
     def parameters(forces: Floats) -> tuple[Any, ...]:
         return np.log(forces).std(ddof=1), 0, np.exp(np.log(forces).mean())
@@ -97,18 +89,12 @@ def lognormal_misfit(adhesion: xr.Dataset) -> xr.Dataset:
 
 
 def half_gaussian_misfit(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the Kolmogorov distance of forces to a half-Gaussian (surface, contact_model).
-
-    The half-Gaussian about zero has the mean square of the forces.
-    """
+    """Return the Kolmogorov distance of forces to the half-Gaussian with their mean square."""
     return _misfit(adhesion, "halfnorm", lambda forces: (0, np.sqrt(np.mean(forces**2))))
 
 
 def inverse_gaussian_misfit(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the Kolmogorov distance of forces to an inverse Gaussian (surface, contact_model).
-
-    The most likely one has the mean of the forces F, and the shape 1/(mean of 1/F - 1/mean).
-    """
+    """Return the Kolmogorov distance of forces to the most likely inverse Gaussian."""
 
     def parameters(forces: Floats) -> tuple[Any, ...]:
         shape = 1 / np.mean(1 / forces - 1 / forces.mean())
@@ -120,7 +106,7 @@ def inverse_gaussian_misfit(adhesion: xr.Dataset) -> xr.Dataset:
 def _misfit(
     adhesion: xr.Dataset, distribution: str, parameters: Callable[[Floats], tuple[Any, ...]]
 ) -> xr.Dataset:
-    """Return the Kolmogorov distance of forces to a distribution of scipy.stats by name.
+    """Return the Kolmogorov distance to a distribution of scipy.stats (surface, contact_model).
 
     `parameters` returns shape, if any, location and scale of the distribution for forces (n,).
     """
@@ -156,10 +142,7 @@ def _forces_at_reference(adhesion: xr.Dataset) -> xr.DataArray:
 
 
 def short_range_force(fit: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
-    """Return the mean force at the published work and longest atomic range.
-
-    It is (contact_model, surface).
-    """
+    """Return the mean force at published work and longest atomic range (contact_model, surface)."""
     force = variable_estimate(fit, "mean_force")
     atomic_force: xr.Dataset = force.interp(rho=paper["atomic_range_upper_bound"]).drop_vars("rho")
     return paper["work_of_adhesion"] * atomic_force
@@ -174,8 +157,7 @@ def short_range_error(fit: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
 def error_of_second_minimum(fit: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the error at the second-best minimum along the range (contact_model).
 
-    It is infinite without a second minimum, and NaN if the best error is not below the published
-    threshold.
+    It is infinite without a second minimum, and NaN if nothing fits.
     """
     second_error = fit["error_at_minimum"].sel(minimum=2, drop=True).fillna(np.inf)
     return as_estimate(second_error.where(fit["best_error"] < paper["error_threshold"]))
@@ -203,11 +185,10 @@ def _half_width(region: xr.DataArray) -> xr.Dataset:
 def strength_over_casimir(paper: xr.Dataset) -> xr.Dataset:
     """Return the largest ratio of the pressure of Eq. 2 to that between ideal metals ().
 
-    Range and work are as published. The ratio is largest at a gap of four ranges. Casimir, Proc. K.
-    Ned. Akad. Wet. 51 (1948) 793.
+    Casimir, Proc. K. Ned. Akad. Wet. 51 (1948) 793.
     """
     rho = 1e-9 * paper["range_of_adhesion"]
-    gap = 4 * rho
+    gap = 4 * rho  # where the ratio is largest
     pressure = paper["work_of_adhesion"] / rho * np.exp(-gap / rho)
     pressure_of_metals = np.pi**2 * constants.hbar * constants.c / (240 * gap**4)
     return as_estimate(pressure / pressure_of_metals)
@@ -232,9 +213,6 @@ def tabor_by_convention(classical: xr.Dataset) -> xr.Dataset:
 
 
 def classical_over_numerical(classical: xr.Dataset, fit: xr.Dataset) -> xr.Dataset:
-    """Return the error of classical models relative to the error of the fit.
-
-    It is (metrics, model, force_source, contact_model).
-    """
+    """Return the error of classical models relative to the error of the fit."""
     classical_error = variable_estimate(classical, "mean_relative_error")
     return quotient(classical_error, variable_estimate(fit, "best_error"))

@@ -1,12 +1,11 @@
-"""Compare each claim, a statement of the paper, with a computed estimate (`estimates`).
+"""Compare each claim, a row of resources/paper/claims.csv, with a computed estimate (`estimates`).
 
-A claim is a row of resources/paper/claims.csv: `dataset`, `quantity` and `select` name the
-estimate. The rule and the published limits turn it into a verdict.
+`dataset`, `quantity` and `select` name the estimate. Rule and limits turn it into a verdict.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from typing import Any, NamedTuple, cast
+from typing import Any, NamedTuple
 
 import numpy as np
 import pandas as pd
@@ -47,10 +46,7 @@ DERIVED_QUANTITIES: dict[str, Callable[..., xr.Dataset]] = {
 def claim_values(
     claims: pd.DataFrame, datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame
 ) -> xr.DataArray:
-    """Return the values (set, claim) of all claims, NaN where there is none.
-
-    The datasets have the dimension ``set``, too.
-    """
+    """Return the values (set, claim) of all claims in datasets of sets; NaN if there is none."""
     values = {
         claim.id: np.nan if result is None else result.estimate["value"].reset_coords(drop=True)
         # Without a confidence, values have no intervals.
@@ -68,8 +64,6 @@ def judge_claims(
 ) -> pd.DataFrame:
     """Return one row for each claim, with JUDGED_COLUMNS.
 
-    Range and work are judged by the share of accepted samples of the posterior. Other claims are
-    judged by how many sets agree if ``value`` (set, claim) of sets.nc varies, else by the interval.
     A claim about a surface or another label that the study lacks is left out. Raises ValueError if
     a dataset, a variable or an attribute is missing.
     """
@@ -112,7 +106,8 @@ def _estimate_claims(
     }
     complete["paper"] = xr.Dataset(constants["value"].to_dict())
     estimates: dict[tuple[str, str], xr.Dataset] = {}
-    for claim in cast(Iterable[Claim], claims.itertuples(index=False)):
+    claim: Claim
+    for claim in claims.itertuples(index=False):
         with _prefix_errors(claim):
             claim_datasets = {name: complete[name] for name in claim.dataset.split("+")}
             key = claim.dataset, claim.quantity
@@ -142,14 +137,12 @@ def _add_surface(data: xr.Dataset) -> xr.Dataset:
 
 @contextmanager
 def _prefix_errors(claim: Claim) -> Iterator[None]:
-    """Put the name of the claim before the first sentence of an error.
-
-    A KeyError of a missing dataset or attribute has only its name as its message.
-    """
+    """Put the name of the claim before the first sentence of an error."""
     try:
         yield
     except (KeyError, TypeError, ValueError) as error:
         message = str(error.args[0]).partition(". ")[0].splitlines()[0]
+        # A KeyError of a missing dataset or attribute has only its name as its message.
         reason = message if " " in message else f"expected {message}, found none"
         raise ValueError(f"claim {claim.id}: {reason}") from error
 

@@ -1,12 +1,9 @@
-"""The estimate (`estimates`) that a claim selects, and the surfaces on which it rests.
-
-If these surfaces are substitutes, they alone may decide the verdict.
-"""
+"""The estimate (`estimates`) that a claim selects, and the surfaces on which it rests."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from functools import reduce
 from itertools import chain, pairwise
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -32,6 +29,8 @@ LABELS: dict[str, Sequence[str]] = {
     "band_part": ("only the band", "no shorter waves", "no longer waves"),
     "rho": (), "preload": (), "minimum": (),
 }  # fmt: skip
+#: A row of resources/paper/claims.csv, with a column by attribute.
+Claim = Any
 #: Groups of labels by dimension; `a > b` makes two groups.
 SelectedLabels = Mapping[str, list[list[Any]]]
 #: Words in the column `needs` for a claim that needs no scan; they are also its basis.
@@ -40,24 +39,6 @@ WITHOUT_SCAN = ("no scan", "no scan; assumed asperities")
 PIXEL_QUANTITIES = ("afm_rms_slope", "afm_rms_curvature", "slope_growth")
 #: Why these quantities are not testable on larger pixels.
 LARGER_PIXELS = "It depends on the size of a pixel, which is larger than the paper's."
-
-
-class Claim(Protocol):
-    """A row of resources/paper/claims.csv: the columns that decide its estimate and verdict."""
-
-    id: str
-    dataset: str
-    quantity: str
-    select: str
-    unit: str
-    rule: str
-    published_low: float
-    published_high: float
-    needs: str
-    samples_from: str
-    note: str
-
-    def _asdict(self) -> dict[str, Any]: ...
 
 
 def split_selection(select: str) -> dict[str, list[list[str]]]:
@@ -123,9 +104,8 @@ def claim_surfaces(
 ) -> list[str]:
     """Return the names of the surfaces on which a claim depends.
 
-    They are the surfaces that the claim selects, other than by `left_out`, or all of its first
-    dataset if it selects none, and the sphere, unless the claim is about topography alone. A claim
-    that needs no scan depends on no surface.
+    They are those that the claim selects, or all of its first dataset if it selects none, and the
+    sphere, unless the claim is about topography alone.
     """
     if claim.needs in WITHOUT_SCAN:
         return []
@@ -142,7 +122,7 @@ def claim_surfaces(
 def claim_basis(claim: Claim, surfaces: list[str], topography: xr.Dataset) -> str:
     """Return the basis of a claim: ``measured``, ``substitute scans`` or one of WITHOUT_SCAN."""
     if claim.needs in WITHOUT_SCAN:
-        return claim.needs
+        return str(claim.needs)
     return "substitute scans" if any(_are_substitutes(surfaces, topography)) else "measured"
 
 
@@ -168,12 +148,8 @@ def fixed_verdict(
     ]
     if surfaces and all(meets_by_construction):
         return BY_CONSTRUCTION, "The substitute scans of the study are made to meet this."
-    if claim.quantity in PIXEL_QUANTITIES and _has_larger_pixels(topography, constants["value"]):
-        return UNTESTABLE, LARGER_PIXELS
+    if claim.quantity in PIXEL_QUANTITIES:
+        published_size = constants["value"]["scan_size"] / constants["value"]["scan_pixels"]
+        if topography["pixel_size"].max() > 1.01 * published_size:
+            return UNTESTABLE, LARGER_PIXELS
     return "", ""
-
-
-def _has_larger_pixels(topography: xr.Dataset, published_constants: "pd.Series[float]") -> bool:
-    """Return whether the scans have larger pixels than the paper's."""
-    pixel_size = published_constants["scan_size"] / published_constants["scan_pixels"]
-    return bool(topography["pixel_size"].max() > 1.01 * pixel_size)

@@ -63,7 +63,7 @@ class ClaimRow(Keys):
         return self
 
     def _quantity_faults(self) -> list[str]:
-        """Return the faults of unknown datasets, or else of the quantity and of its samples."""
+        """Return the faults of the datasets, or else of the quantity and of its samples."""
         datasets = self.dataset.split("+")
         accepted = "datasets of workflow/report/variables.tsv, with + between"
         if faults := [*_word_faults("dataset", datasets, _known_datasets(), accepted)]:
@@ -111,7 +111,7 @@ def _known_datasets() -> set[str]:
 
 
 def check_claims(path: str | Path) -> None:
-    """Check a table of statements."""
+    """Raise ValueError with the faults of a table of statements, a line each."""
     content = "a table with the columns {} (resources/paper/README.md)"
     rows = read_rows(path, ClaimRow, content)
     all_ids = [row.id for row in rows.values()]

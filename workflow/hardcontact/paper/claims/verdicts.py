@@ -1,8 +1,4 @@
-"""Verdicts about claims: from a number, its interval and the published limits.
-
-If the number was computed on many sets (other random choices of scans), the count of sets that
-agree decides. The claims.csv of a study has the verdicts.
-"""
+"""Verdicts about claims: from a number, its interval or samples, and the published limits."""
 
 import re
 from collections.abc import Sequence
@@ -28,8 +24,7 @@ EXPERIMENT = "model beside experiment"
 VERDICTS = (REPRODUCED, AGREES, UNDECIDED, NOT_REPRODUCED, BY_CONSTRUCTION, UNTESTABLE, EXPERIMENT)
 
 #: Rules with a single limit. They reject the limit itself; the other rules accept their limits.
-#: `order` is judged like `above`. Its number is the smallest ratio of neighbours in a published
-#: ranking, so above 1 means the ranking holds.
+#: `order` is `above` for the smallest ratio of neighbours in a published ranking.
 ONE_SIDED = ("below", "above", "order")
 #: Share of all possible sets that must agree with a statement, or disagree, and share of the
 #: posterior that must agree: the usual confidence.
@@ -67,22 +62,15 @@ class AcceptedRange:
         return NOT_REPRODUCED if agreeing_sets <= len(set_values) - needed_sets else UNDECIDED
 
     def verdict_of_posterior(self, samples: Floats, low: float, high: float) -> str:
-        """Judge samples (sample,) of the posterior of a number, and their interval.
-
-        If the accepted range is narrow and the interval wide, few samples agree; the statement is
-        then undecided, not rejected.
-        """
+        """Judge samples (sample,) of the posterior of a number, and their interval."""
         if self.accepts(samples).mean() >= REPRODUCED_SHARE:
             return REPRODUCED
-        # The interval alone decides about a rejection, so its low end stands for the number.
+        # The interval alone decides about a rejection, because few samples agree if the accepted
+        # range is narrow. Its low end stands for the number.
         return NOT_REPRODUCED if self.verdict(low, low, high) == NOT_REPRODUCED else UNDECIDED
 
     def verdict(self, computed: float, low: float, high: float) -> str:
-        """Judge a number, NaN if none exists, and its interval, NaN if it has none.
-
-        It is reproduced if the whole interval is accepted, not reproduced if the whole interval is
-        rejected, otherwise undecided. Without an interval the number alone decides.
-        """
+        """Judge a number, NaN if none exists, and its interval, NaN if it has none."""
         if np.isnan(computed):
             return UNDECIDED
         if np.isnan(low) or np.isnan(high):
@@ -119,10 +107,9 @@ def accepted_range(rule: str, published_low: float, published_high: float) -> Ac
 
 
 def sets_needed(set_count: int, confidence: float) -> int:
-    """Return the fewest agreeing sets from which one can conclude that a statement is reproduced.
+    """Return the fewest agreeing sets that prove that REPRODUCED_SHARE of all possible sets agree.
 
-    More than REPRODUCED_SHARE of all possible sets then agree, at this confidence: the exact
-    binomial interval of the share lies above REPRODUCED_SHARE. Clopper and Pearson, Biometrika 26
+    The exact binomial interval of the share is then above it: Clopper and Pearson, Biometrika 26
     (1934) 404. A number above `set_count` says that so few sets decide nothing.
     """
     from scipy.stats import binom
@@ -131,19 +118,13 @@ def sets_needed(set_count: int, confidence: float) -> int:
 
 
 def sets_interval(samples: Floats, confidence: float) -> Floats:
-    """Return the central intervals (..., 2) of the numbers (set, ...) of many sets.
-
-    The interval is NaN if the share of sets with a number is below the confidence.
-    """
+    """Return the central intervals (..., 2) of numbers (set, ...); NaN if too many are missing."""
     enough = np.isfinite(samples).sum(axis=0) >= confidence * len(samples)
     return np.where(enough[..., None], percentile_interval(samples, confidence), np.nan)
 
 
 def stretch_interval(ends: ArrayLike, value: ArrayLike) -> tuple[Floats, Floats]:
-    """Return both ends (...) of intervals (..., 2), stretched to contain their values (...).
-
-    Intervals are judged and printed like this. A value of NaN leaves its interval as it is.
-    """
+    """Return both ends (...) of intervals (..., 2), stretched to contain their values, if any."""
     low, high = np.moveaxis(np.asarray(ends, dtype=float), -1, 0)
     is_missing = np.isnan(value)
     stretched_low = np.where(is_missing, low, np.minimum(low, value))
@@ -153,17 +134,15 @@ def stretch_interval(ends: ArrayLike, value: ArrayLike) -> tuple[Floats, Floats]
 
 def samples_vary(samples: Floats) -> bool:
     """Return whether the numbers (set,) of the sets differ; NaN does not count."""
-    finite = samples[np.isfinite(samples)]
-    return bool(len(finite) > 0 and np.ptp(finite) > 0)
+    return len(np.unique(samples[np.isfinite(samples)])) > 1
 
 
 def interval_with_sets(
     value: float, interval: tuple[ArrayLike, ArrayLike], samples: Floats, confidence: float
 ) -> tuple[float, float]:
-    """Return both ends of the interval of a number, stretched to contain it; NaN if none.
+    """Return both ends of the interval of a number, stretched to contain it.
 
-    If the samples (set,) vary, their central share is the interval, otherwise the number has its
-    own.
+    The interval is that of the samples (set,) if they vary, otherwise the number's own.
     """
     ends = sets_interval(samples, confidence) if samples_vary(samples) else np.array(interval)
     low, high = stretch_interval(ends, value)
@@ -183,12 +162,10 @@ def read_judged_claims(path: str | Path) -> pd.DataFrame:
 def find_open_end(
     side: str, value: float, low: float, high: float, edge_datasets: Sequence[xr.Dataset]
 ) -> str:
-    """Return which end of the interval of an edge (nm) is only a bound.
+    """Return ``"high"`` or ``"low"`` if this end of the interval of an edge (nm) is only a bound.
 
-    The search for the edge on the ``"short"`` side goes from short to long cutoffs, so only the
-    ``"high"`` end may be open; on the ``"long"`` side only the ``"low"`` end. Returns ``""`` if
-    this end does not reach the last cutoff of any dataset, edges.nc or sets.nc. A value beyond the
-    last cutoff is a bound, too, so an interval that `stretch_interval` has extended to it is open.
+    The search of an edge ends at the longest short cutoff, or at the shortest long cutoff. A bound
+    is this cutoff of edges.nc or sets.nc, or a value beyond it.
     """
     is_short = side == "short"
     end, limit = ("high", high) if is_short else ("low", low)
@@ -199,17 +176,8 @@ def find_open_end(
     return end if is_open else ""
 
 
-def without_verdicts(claims: pd.DataFrame) -> pd.DataFrame:
-    """Return the claims of a study whose inputs are not the paper's: it judges no statement."""
-    return claims.assign(verdict="", agreeing_share=np.nan)
-
-
 def count_verdicts(claims: pd.DataFrame) -> pd.DataFrame:
-    """Count the claims of each of `VERDICTS`, and the independent statements among them.
-
-    A claim is not independent if it follows from another claim, holds by construction, or compares
-    the model with measured forces.
-    """
+    """Count the claims of each of `VERDICTS`, and the independent statements among them."""
     verdicts = claims["verdict"]
     independent = (claims["follows_from"] == "") & ~verdicts.isin([BY_CONSTRUCTION, EXPERIMENT])
     counts = pd.DataFrame(

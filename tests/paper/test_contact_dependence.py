@@ -1,12 +1,17 @@
-"""Exponents of forces and edges against power laws."""
+"""Exponents of known power laws, and edges that shift by known factors."""
 
 import numpy as np
 import pytest
 import xarray as xr
 from scipy import stats
 
-from hardcontact.base.statistics import interval_ends
-from hardcontact.paper.exponents import edge_exponents, force_exponent
+from hardcontact.base.statistics import Sampling, interval_ends
+from hardcontact.contact.contact import CONTACT_MODELS
+from hardcontact.paper.contact_dependence import (
+    compute_edge_shifts,
+    edge_exponents,
+    force_exponent,
+)
 
 RADII, AREAS = [1e4, 1e5, 1e6], [50.0, 400.0, 3200.0]
 #: The contact touches another area on the larger pixels of long-edge masters.
@@ -74,3 +79,45 @@ def test_the_exponent_of_a_force_in_the_radius_is_recovered():
     np.testing.assert_allclose(
         interval_ends(exponent, "force_exponent"), [[0.4 - half_width], [0.4 + half_width]]
     )
+
+
+SHORT_CUTOFFS = np.array([20.0, 40.0, 80.0, 160.0])
+
+
+def edge_shifts(ratio, sample_count):
+    """Return the shifts for ratios of plastic and rigid contact at 5.6 and 1 nm."""
+    axes = {"surface": ["a"], "side": ["short"], "radius": [1.0]}
+    forces = xr.Dataset(
+        {
+            "filtered_force_ratio": ratio.expand_dims(axes),
+            "spectrum_end": (("surface", "side"), [[2.0]]),
+        },
+        {"rho": [5.6, 1.0], "contact_area": ("loading", [400.0, 1.0])},
+    )
+    sampling = Sampling(seed=1, sample_count=sample_count, confidence=0.95)
+    return compute_edge_shifts(forces, 0.1, sampling).sel(group="a", side="short")
+
+
+def test_each_contact_model_has_the_edge_of_its_forces():
+    """Forces that are a power of the cutoff have changed by 10 % at a prescribed edge."""
+    edges = xr.DataArray([[100.0, 50.0], [30.0, 25.0]], dims=["loading", "rho"])
+    cutoff = xr.DataArray(SHORT_CUTOFFS, {"cutoff_wavelength": SHORT_CUTOFFS})
+    ratio = 1.1 ** (np.log(cutoff / 2) / np.log(edges / 2))  # ln F is linear in ln c from 2 nm on
+    shifts = edge_shifts(ratio.expand_dims(realization=[1, 2]), sample_count=0)
+    assert shifts["contact_model"].values.tolist() == CONTACT_MODELS
+    for model, edge in {"plastic": edges[0], "rigid": edges[1]}.items():
+        np.testing.assert_allclose(shifts["edge"].sel(contact_model=model), edge, rtol=1e-9)
+    expected_shifts = [100 / 30, 100 / 50]
+    np.testing.assert_allclose(
+        shifts["edge_shift"].sel(cause=["plasticity", "range"]), expected_shifts
+    )
+
+
+def test_edges_that_scatter_together_have_a_certain_ratio():
+    """Both loadings and ranges have the same forces: the edge is uncertain, its ratio is one."""
+    factors = 1.1 ** (np.array([0.7, 1.0, 1.4])[:, None] * np.log(SHORT_CUTOFFS / 2) / np.log(20))
+    ratio = xr.DataArray(factors, {"realization": [1, 2, 3], "cutoff_wavelength": SHORT_CUTOFFS})
+    shifts = edge_shifts(ratio.expand_dims(loading=2, rho=2), sample_count=50)
+    low, high = np.moveaxis(shifts["edge_interval"].values, -1, 0)
+    assert (high > 1.2 * low).all()
+    np.testing.assert_allclose(shifts["edge_shift_interval"], 1)

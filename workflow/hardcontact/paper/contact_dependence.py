@@ -1,4 +1,4 @@
-"""Exponents of the pull-off force and of the edges of the band against sphere radius and load.
+"""How forces and edges of the band depend on the contact: exponents.nc and edge_shifts.nc.
 
 Edges are fitted as powers of two square roots: of the radius of the sphere, because the interaction
 radius √(Dρ) grows like this root, and of the area in contact, because its root is a length. If the
@@ -9,13 +9,18 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.arrays import Floats
-from hardcontact.base.statistics import as_variables, jackknife_interval, student_interval
+from hardcontact.base.statistics import (
+    Sampling,
+    as_variables,
+    jackknife_interval,
+    student_interval,
+)
 from hardcontact.base.units import DIMENSIONLESS
-from hardcontact.contact.contact import CONTACT_AXES
+from hardcontact.contact.contact import CONTACT_AXES, CONTACT_MODELS, PLASTIC, RIGID
 from hardcontact.inference.edges import find_edges, logarithmic_limits
+from hardcontact.inference.edges_of_masters import edges_of_masters
 
-#: Labels of the fitted exponents, against the roots of the sphere's radius and of the area in
-#: contact.
+#: Labels of the exponents against the roots of the sphere's radius and of the area in contact.
 SCALED_QUANTITIES = ["radius", "contact"]
 
 
@@ -34,8 +39,8 @@ def fit_exponents(
 def force_exponent(forces: xr.Dataset, contact_area: float, confidence: float) -> xr.Dataset:
     """Return the exponent of the mean force on unfiltered long-edge masters against the radius.
 
-    Of the forces (..., radius, contact_area) those at the contact area nearest to `contact_area`
-    (nm²) count. The fit is by least squares of ln F against ln R. The interval is over masters.
+    Of the forces (..., radius, contact_area) those at the area nearest to `contact_area` (nm²)
+    count. The interval is over masters.
     """
     long_wave_forces = forces["unfiltered_pull_off_force"].sel(side="long")
     means = long_wave_forces.sel(contact_area=contact_area, method="nearest").mean(CONTACT_AXES)
@@ -50,10 +55,9 @@ def force_exponent(forces: xr.Dataset, contact_area: float, confidence: float) -
 
 
 def edge_exponents(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
-    """Return the exponents of the edges against the square roots of SCALED_QUANTITIES.
+    """Return the exponents of the edges against the roots of SCALED_QUANTITIES.
 
-    ``edge_exponent`` (surface, side, exponent_of) is fitted by least squares to all edges within
-    the cutoffs. Its interval is the jackknife's over realizations.
+    They are (surface, side, exponent_of), with intervals of the jackknife over realizations.
     """
     exponents = _fit_all_edges(forces, tolerance)
     count = forces.sizes["realization"]
@@ -91,8 +95,7 @@ def _fit_all_edges(forces: xr.Dataset, tolerance: float) -> Floats:
 def _fit_edges(log_edge: Floats, log_radius_root: Floats, log_area_root: Floats) -> Floats:
     """Return the exponents (2,) of SCALED_QUANTITIES for the edges of one surface and side.
 
-    Edges (radius, contact_area) are NaN if they are open. The exponents are NaN if the edges do not
-    determine them.
+    Open edges (radius, contact_area) are NaN. Exponents that the others do not determine are NaN.
     """
     log_roots = np.broadcast_arrays(log_radius_root[:, None], log_area_root)
     is_found = np.isfinite(log_edge)
@@ -102,3 +105,28 @@ def _fit_edges(log_edge: Floats, log_radius_root: Floats, log_area_root: Floats)
     if len(design) <= count + 1 or np.linalg.matrix_rank(design) <= count:
         return np.full(count, np.nan)
     return np.asarray(np.linalg.lstsq(design, log_edge[is_found])[0][1:])
+
+
+def compute_edge_shifts(forces: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
+    """Return edge_shifts.nc, from forces of `read_master_forces` at a single radius and load.
+
+    Edges are (contact_model, rho, side, group). ``edge_shift`` (cause, side, group) is the edge of
+    plastic contact at the longest range, relative to rigid contact (``"plasticity"``) or to the
+    shortest range (``"range"``).
+    """
+    # Sorted by area, rigid contact is the first, as in CONTACT_MODELS: its area is zero.
+    forces = forces.squeeze("radius", drop=True).sortby("contact_area").drop_vars("contact_area")
+    forces = forces.rename(loading="contact_model").assign_coords(contact_model=CONTACT_MODELS)
+    edges, sampled_edges = edges_of_masters(forces, tolerance, sampling)
+    shortest, longest = forces["rho"].min().item(), forces["rho"].max().item()
+    complete = sampled_edges.sel(contact_model=PLASTIC, rho=longest, drop=True)
+    without_cause = {
+        "plasticity": sampled_edges.sel(contact_model=RIGID, rho=longest, drop=True),
+        "range": sampled_edges.sel(contact_model=PLASTIC, rho=shortest, drop=True),
+    }
+    shifts = np.stack([complete / edge for edge in without_cause.values()], axis=1)
+    variables = sampling.sampled_variables(
+        "edge_shift", ("cause", "side", "group"), shifts, DIMENSIONLESS
+    )
+    edge_shifts = edges.assign_coords(cause=list(without_cause)).assign(variables)
+    return edge_shifts.assign_attrs(tolerance=tolerance, confidence=sampling.confidence)
