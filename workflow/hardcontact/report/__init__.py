@@ -1,7 +1,4 @@
-"""Pages that answer the question of a study, each self-contained, and their numbers.
-
-`own_surfaces` and `paper_study` are for one kind of study; the other modules serve both.
-"""
+"""Pages that answer the question of a study, each self-contained, and their numbers."""
 
 from pathlib import Path
 

@@ -61,15 +61,12 @@ def save_figure(
 
 
 def svg_bytes(figure: Figure, title: str, resolution: float) -> bytes:
-    """Return a figure as SVG for pages, with images of a resolution in dots per inch.
-
-    Letters are text, a third of the size of outlines. Long curves and many symbols become images.
-    """
+    """Return a figure as SVG for pages, with images of a resolution in dots per inch."""
     for artist in figure.findobj(lambda artist: not artist.get_rasterized()):
         artist.set_rasterized(_has_many_points(artist))
     buffer = BytesIO()
     metadata = {"Title": title, "Date": None}
-    with mpl.rc_context({"svg.fonttype": "none"}):
+    with mpl.rc_context({"svg.fonttype": "none"}):  # text, a third of the size of outlines
         figure.savefig(buffer, format="svg", dpi=resolution, metadata=metadata)
     svg = buffer.getvalue().replace(b"'DejaVu Sans'", SVG_FONTS)
     # Hundredths of a point are enough in tags, and indentation is a tenth of the file.
@@ -89,10 +86,9 @@ def _has_many_points(artist: Artist) -> bool:
 
 
 def create_figure(height: float, surfaces: xr.Dataset) -> Figure:
-    """Return an empty figure of print width and a height (inch).
+    """Return an empty figure of print width and a height (inch), with substitutes at its foot.
 
-    A line at its foot names the substitute surfaces, if any. The dataset has `label(surface)` and
-    `source(surface)`, or both as attributes for a single surface.
+    The dataset has `label(surface)` and `source(surface)`, or both as attributes for one surface.
     """
     footer = FOOTER / height
     layout = ConstrainedLayoutEngine(rect=(0, footer, 1, 1 - footer))
@@ -111,10 +107,7 @@ def create_figure(height: float, surfaces: xr.Dataset) -> Figure:
 def create_rows(
     height: float, surfaces: xr.Dataset, *, row_heights: Ratios, panel_widths: Sequence[Ratios]
 ) -> tuple[Figure, list[np.ndarray]]:
-    """Return a figure of `create_figure`, and the panels of each row.
-
-    Heights of rows are relative to each other, widths of panels to others in their row.
-    """
+    """Return a figure of `create_figure`, and the panels of each row."""
     figure = create_figure(height, surfaces)
     grid = figure.add_gridspec(len(row_heights), 1, height_ratios=row_heights)
     return figure, [

@@ -82,10 +82,7 @@ def _lognormals(published: Mapping[Any, float], fit: xr.Dataset) -> tuple[Any, A
 
 
 def _label_column(column: np.ndarray, letter: str, fit: xr.Dataset, published: Any) -> None:
-    """Write the surface above its linear panel, and the std of ln F above the logarithmic panel.
-
-    `published` is the published log-normal.
-    """
+    """Write the surface above its linear panel, and the std of ln F above the logarithmic panel."""
     style.label_panel(column[0], f"{letter}_1", str(fit["label"].item()))
     (published_log_std,) = published.args
     log_std = format_estimate(panels.value_and_bounds(fit, "log_force_std"), ".2f")
@@ -131,10 +128,7 @@ def _draw_logarithmic(
 def _draw_histograms(
     axes: Axes, forces_by_pair: ForcesByPair, edges: np.ndarray, colour: str
 ) -> np.ndarray:
-    """Fill the histogram at the published pair, and outline the one at the fitted pair.
-
-    Returns the densities (pair, bin) in 1/N. They count forces beyond the bins in the total.
-    """
+    """Draw the histogram at each pair in 1/µN; return their densities (pair, bin) in 1/N."""
     looks: dict[str, style.Look] = {
         "published": {**AT_PUBLISHED, "color": colour, "fill": True},
         "fitted": {**AT_FIT, "edgecolor": colour},

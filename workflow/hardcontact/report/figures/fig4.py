@@ -77,12 +77,9 @@ def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[
 
 
 def _draw_pressure(axes: Axes, contact: xr.Dataset) -> None:
-    """Map the adhesive pressure (MPa) from its maximum down to PRESSURE_DECADES below.
-
-    At most MAX_MAP_PIXELS pixels a row, each with the largest pressure in it, look like the finer
-    map, which takes gigabytes to draw.
-    """
+    """Map the adhesive pressure (MPa) from its maximum down to PRESSURE_DECADES below."""
     pressure = abs(contact["adhesive_pressure"]) / MEGAPASCAL
+    # A finer map looks the same, but takes gigabytes to draw.
     covered_pixels = math.ceil(pressure.sizes["x"] / MAX_MAP_PIXELS)
     pressure = pressure.coarsen(x=covered_pixels, y=covered_pixels, boundary="trim").max()
     top = pressure.max().item()

@@ -70,10 +70,7 @@ def _draw_map(axes: Axes, contact: xr.Dataset) -> None:
 
 
 def _draw_line(axes: Axes, contact: xr.Dataset, axis: str) -> None:
-    """Draw the sphere's height (nm, outwards) along x or y through the deepest point.
-
-    The area between the lines before and after contact is the indent.
-    """
+    """Draw the sphere's height (nm, outwards) along x or y through the deepest point."""
     other_axis = "y" if axis == "x" else "x"
     line = contact.sel({other_axis: 0})  # x and y are relative to the deepest point
     height_before = -line["sphere_height"]
@@ -88,11 +85,10 @@ def _draw_line(axes: Axes, contact: xr.Dataset, axis: str) -> None:
     axes.legend(loc="lower left")
 
 
-def _draw_sizes(axes: Axes, sizes: xr.DataArray, published: float, preload: float) -> None:
-    """Draw the distribution of a size (nm) over all contacts by preload, and the published size.
-
-    `preload` (N) is the published one.
-    """
+def _draw_sizes(
+    axes: Axes, sizes: xr.DataArray, published: float, published_preload: float
+) -> None:
+    """Draw the distribution of a size (nm) over all contacts by preload, and the published size."""
     contacts = [dim for dim in sizes.dims if dim != "preload"]
     quantiles = sizes.quantile(SHARES, contacts, method="inverted_cdf").transpose("preload", ...)
     shades = DEPTH_COLOURS(np.linspace(0.5, 0.95, quantiles.sizes["preload"]))
@@ -100,7 +96,7 @@ def _draw_sizes(axes: Axes, sizes: xr.DataArray, published: float, preload: floa
         label = f"computed, {_format_preload(values['preload'])}"
         look: style.Look = {"color": colour, "ls": dashes, "drawstyle": "steps-post"}
         axes.plot(values, SHARES, label=label, **look)
-    label = f"published, {_format_preload(preload)}"
+    label = f"published, {_format_preload(published_preload)}"
     axes.axvline(published, color=style.PUBLISHED_COLOUR, lw=1.0, ls="--", label=label)
     axes.set_ylim(0, 1)
     axes.set_xlim(left=0)

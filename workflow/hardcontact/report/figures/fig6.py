@@ -48,10 +48,7 @@ def draw(
 
 
 def _draw_side(axes: Axes, edges: xr.Dataset) -> None:
-    """Draw the ratios of one side of the band within the y axis, and a ring at each edge.
-
-    The x axis ends at the first cutoff at which all ratios have left the y axis.
-    """
+    """Draw the ratios of one side of the band within the y axis, and a ring at each edge."""
     tolerance = edges.attrs["tolerance"]
     ratio = panels.value_and_interval(edges, "filtered_force_ratio")
     ratio = ratio.dropna("cutoff_wavelength", how="all")

@@ -53,10 +53,8 @@ def draw(asperities: xr.Dataset, edges: xr.Dataset, published_constants: pd.Data
 
 
 def _draw_smooth(axes: Axes, asperities: xr.Dataset) -> None:
-    """Draw the extent of the force and the interaction radius (µm) of a smooth sphere on a plane.
-
-    The attraction falls with the distance r from the apex as exp(-r²/(Dρ)).
-    """
+    """Draw the extent of the force and the interaction radius (µm) of a smooth sphere."""
+    # The attraction falls with the distance r from the apex as exp(-r²/(Dρ)).
     radius = np.sqrt(2 * asperities.attrs["sphere_radius"] * asperities["rho"])
     extent = 2 * radius * np.sqrt(-np.log(1 - asperities.attrs["share"]))
     for lengths, label, dashes in (

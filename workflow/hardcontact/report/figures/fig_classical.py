@@ -72,10 +72,7 @@ def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
 def _draw_model_forces(
     axes: Axes, surface_data: xr.Dataset, start: float, no_force: float, look: style.Look
 ) -> None:
-    """Draw the forces (µN) of the models on one surface, the first at the position `start`.
-
-    Forces below MIN_DRAWN_FORCE are drawn at the height `no_force`.
-    """
+    """Draw the forces (µN) of the models on one surface, the first at the position `start`."""
     forces = panels.value_and_interval(surface_data, "model_force") / style.MICRONEWTON
     drawn_forces = forces.where(~(forces < MIN_DRAWN_FORCE), no_force)
     positions = start + np.arange(surface_data.sizes["model"])
@@ -86,10 +83,7 @@ def _draw_model_forces(
 
 
 def _draw_errors(axes: Axes, classical: xr.Dataset) -> None:
-    """Draw the mean relative error of each model to the published and computed forces.
-
-    It is the smallest over the work of adhesion.
-    """
+    """Draw the mean relative error, least over the work of adhesion, of each model."""
     errors = panels.value_and_interval(classical, "mean_relative_error")
     threshold = classical.attrs["error_threshold"]
     axes.axhspan(0, threshold, color="0.88", zorder=0)

@@ -44,10 +44,7 @@ def draw(edge_shifts: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
 
 
 def _draw_case(ratio_panel: Axes, edge_panel: Axes, edges: xr.Dataset) -> None:
-    """Draw the ratios and edges of one contact model at one range.
-
-    Arrows at the first and last cutoff show what lies beyond; a missing edge is beyond the last.
-    """
+    """Draw the ratios and edges of one contact model at one range."""
     ratio = panels.value_and_interval(edges, "filtered_force_ratio")
     ratio = ratio.dropna("cutoff_wavelength", how="all")
     panels.draw_ratios(ratio_panel, ratio, edges.attrs["tolerance"])
@@ -55,6 +52,7 @@ def _draw_case(ratio_panel: Axes, edge_panel: Axes, edges: xr.Dataset) -> None:
     style.label_logarithmic(ratio_panel.yaxis, digits=(1, 2, 5))
     first_cutoff, last_cutoff = ratio["cutoff_wavelength"].values[[0, -1]]
     edge_rows = panels.value_and_interval(edges, "edge").clip(first_cutoff, last_cutoff)
+    # A missing edge lies beyond the last cutoff.
     edge_rows["value"] = edge_rows["value"].fillna(last_cutoff)
     panels.draw_edges(edge_panel, edge_rows, edges["label"], {"<": first_cutoff, ">": last_cutoff})
     edge_panel.set_xlabel("cutoff wavelength (nm)")

@@ -3,7 +3,6 @@
 import numpy as np
 import pandas as pd
 import xarray as xr
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
@@ -16,7 +15,6 @@ KIND_LOOKS: dict[str, style.Look] = {
     "pits": {"marker": "v", "color": "#332288", "label": "pits"},
     "gaussian": {"marker": "o", "color": "0.6", "label": "Gaussian, height over all scales"},
 }
-
 EQUALITY_LOOK: style.Look = {"color": "0.6", "lw": 0.8}
 
 
@@ -37,7 +35,9 @@ def draw(features: xr.Dataset, published_pull_off: pd.DataFrame) -> Figure:
     published: style.Look = {"marker": "s", "color": "black", "label": "published"}
     median_axes.plot(mean, median, ls="none", **published)
     scatter_axes.plot(mean, log_std, ls="none", **published)
-    _draw_equality(median_axes, features, mean)
+    means = features["mean_force_at_pair"].values / style.MICRONEWTON
+    ends = [np.nanmin(means, initial=mean), np.nanmax(means, initial=mean)]
+    median_axes.plot(ends, ends, zorder=0, **EQUALITY_LOOK)
     median_axes.set(xscale="log", yscale="log", ylabel="median force (µN)")
     scatter_axes.set(xscale="log", ylabel="standard deviation of ln F")
     for letter, axes, title in (("a", median_axes, "median"), ("b", scatter_axes, "scatter")):
@@ -50,10 +50,3 @@ def draw(features: xr.Dataset, published_pull_off: pd.DataFrame) -> Figure:
     handles.append(Line2D([], [], label="median = mean (a)", **EQUALITY_LOOK))
     style.legend_above(figure, handles, 5)
     return figure
-
-
-def _draw_equality(axes: Axes, features: xr.Dataset, published_mean: float) -> None:
-    """Draw the line on which the median is the mean; the published mean is in µN."""
-    means = features["mean_force_at_pair"].values / style.MICRONEWTON
-    ends = [np.nanmin(means, initial=published_mean), np.nanmax(means, initial=published_mean)]
-    axes.plot(ends, ends, zorder=0, **EQUALITY_LOOK)

@@ -114,10 +114,7 @@ def _mark_published_fit(axes: Axes, published_constants: pd.DataFrame) -> None:
 
 
 def _mark_minima(axes: Axes, fit: xr.Dataset, ordinate: str, unit: float = 1) -> None:
-    """Mark the best fit of the study with a star, other minima of the error with rings.
-
-    The `ordinate` over the range of adhesion (nm) is "work" or "error", drawn in `unit`.
-    """
+    """Mark the best fit of the study with a star, other minima of the error with rings."""
     best = fit[{"work": "work_of_adhesion", "error": "best_error"}[ordinate]] / unit
     is_other = fit["range_at_minimum"].values != fit["range_of_adhesion"].item()
     ranges = fit["range_at_minimum"][is_other]

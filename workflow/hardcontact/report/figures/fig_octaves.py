@@ -42,10 +42,7 @@ def draw(
 
 
 def _draw_band_ratios(axes: Axes, ratios: xr.Dataset, tolerance: float) -> None:
-    """Draw the force with each part of the roughness, relative to the unfiltered force.
-
-    The parts are the band, all but its shorter waves, and all but its longer waves.
-    """
+    """Draw the force with each part of the roughness, relative to the unfiltered force."""
     panels.draw_tolerance(axes, tolerance)
     band_parts = ratios["band_part"].values
     positions = np.arange(len(band_parts))

@@ -45,15 +45,15 @@ def draw(
     surface, sphere = (topography.attrs[f"{kind}_surface"] for kind in ("reference", "sphere"))
     colour = style.surface_colours(topography["surface"].values, sphere)[surface]
     scan = topography.sel(surface=surface)
-    maps = dict(zip(map_titles(band), filtered_heights(scan, band), strict=True))
+    maps = filtered_heights(scan, band)
     _draw_maps(map_axes, scan, maps)
     _draw_profiles(profile_axes, scan, maps, filtered_forces.attrs["sphere_radius"], colour)
     style.legend_above(figure, _legend_handles(topography, band))
     return figure
 
 
-def filtered_heights(scan: xr.Dataset, band: Sequence[float]) -> list[np.ndarray]:
-    """Return heights (nm) of a scan with all waves, none below a band (nm), and none above it."""
+def filtered_heights(scan: xr.Dataset, band: Sequence[float]) -> dict[str, np.ndarray]:
+    """Return heights (nm) of a scan by title: all waves, none below a band (nm), none above it."""
     heights = panels.centred_heights(scan["example_heights"])
     mirrored = mirror_scan(HeightMap(heights, scan["scan_size"].item() / len(heights)))
     # At least two pixels lie within the short edge.
@@ -61,14 +61,13 @@ def filtered_heights(scan: xr.Dataset, band: Sequence[float]) -> list[np.ndarray
     surface = interpolate(mirrored, pixels)
     (long_waves,) = filtered_series(surface, "short", [band[0]], pixels)
     (short_waves,) = filtered_series(surface, "long", [band[1]], pixels)
-    surfaces = (surface, long_waves, short_waves)
-    return [periodic.heights[: pixels // 2, : pixels // 2] for periodic in surfaces]
-
-
-def map_titles(band: Sequence[float]) -> list[str]:
-    """Return the titles of the maps of `filtered_heights`."""
-    short, long = (format_length(edge) for edge in band)
-    return ["all wavelengths", f"none below {short}", f"none above {long}"]
+    surfaces = {
+        "all wavelengths": surface,
+        f"none below {format_length(band[0])}": long_waves,
+        f"none above {format_length(band[1])}": short_waves,
+    }
+    half = slice(pixels // 2)
+    return {title: periodic.heights[half, half] for title, periodic in surfaces.items()}
 
 
 def _draw_spectra(

@@ -1,7 +1,4 @@
-"""The figures in the order of the report: titles, chapters, inputs and captions.
-
-They stand in workflow/report/figures.yaml, so that rules and pages read them without matplotlib.
-"""
+"""The figures of workflow/report/figures.yaml, which rules and pages read without matplotlib."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace

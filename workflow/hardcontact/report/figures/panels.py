@@ -91,14 +91,12 @@ def draw_band(axes: Axes, x: Any, curve: xr.Dataset, colour: str) -> None:
 def draw_bars(
     axes: Axes, x: Any, curve: xr.Dataset, width: float = 0.8, opacity: float = 1.0, **look: Any
 ) -> None:
-    """Draw `value` against x, and bars of a width (points) from `low` to `high`, without caps.
-
-    A bar may exclude its value, because the distribution behind an interval may be skewed.
-    """
+    """Draw `value` against x, and bars of a width (points) from `low` to `high`, without caps."""
     # Infinite ends become finite, because a line to infinity is not drawn.
     low, high = (np.nan_to_num(curve[end], nan=np.nan) for end in ("low", "high"))
     colour = look.pop("ecolor", look["color"])
     bar_look: Look = {"color": colour, "lw": width, "alpha": opacity}
+    # Not axes.errorbar, because a bar may exclude its value.
     axes.vlines(x, low, high, zorder=look.get("zorder", 2), **bar_look)
     axes.plot(x, curve["value"], **look)
 
@@ -125,8 +123,7 @@ def draw_edges(
 ) -> None:
     """Draw the edge (nm) of each group with its interval, a row for each surface and for the mean.
 
-    `arrows` has positions (nm) by marker. An edge or an end of an interval at such a position lies
-    there or beyond, and is drawn as that marker.
+    What is at a position (nm) of `arrows` lies there or beyond, and is drawn as its marker.
     """
     looks = style.surface_looks(labels["surface"].values) | {MEAN_GROUP: style.MEAN_LOOK}
     for row, (group, look) in enumerate(looks.items()):
@@ -144,9 +141,7 @@ def draw_edges(
 def draw_octaves(axes: Axes, sensitivity: xr.Dataset) -> None:
     """Draw d ln F / d ln a of each octave, a bar and a symbol for each surface, with its interval.
 
-    ``octave_sensitivity`` (surface, octave) is NaN where a surface has no data; ``octave`` is the
-    shortest wavelength (nm) of each. Two variables (surface, octave) may be there: octaves are
-    hatched where ``is_shown`` is false, and ``sphere_share`` is the grey share of a bar.
+    `octave` is the shortest wavelength (nm) of each; `is_shown` and `sphere_share` are optional.
     """
     octaves = sensitivity["octave"].values
     surfaces = sensitivity.assign(value_and_interval(sensitivity, "octave_sensitivity"))

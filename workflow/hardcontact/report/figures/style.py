@@ -97,20 +97,14 @@ def iterate_surfaces(data: Data) -> Iterator[tuple[Look, Data]]:
 
 
 def iterate_dodged(data: xr.Dataset) -> Iterator[tuple[float, Look, xr.Dataset]]:
-    """Yield as `iterate_surfaces` does, with a factor of positions on a logarithmic axis.
-
-    The factors differ by DODGE, so that error bars do not hide each other.
-    """
+    """Yield as `iterate_surfaces` does, with a factor of positions on a logarithmic axis."""
     middle = (data.sizes["surface"] - 1) / 2
     for index, (look, curve) in enumerate(iterate_surfaces(data)):
         yield DODGE ** (index - middle), look, curve
 
 
 def freeze_layout(figure: Figure) -> None:
-    """Lay the figure out once, and round the positions to a millionth of its size.
-
-    Further digits differ from run to run, and would change the bytes of the file.
-    """
+    """Lay the figure out once, and round positions, whose last digits differ from run to run."""
     if engine := figure.get_layout_engine():
         engine.execute(figure)
     # The placeholder that "none" leaves would make saving draw the figure once more.
@@ -138,11 +132,7 @@ def label_logarithmic(*axes: Axis, digits: tuple[int, ...] = (1, 2, 3, 5)) -> No
 
 
 def end_near_values(axes: Axes) -> None:
-    """End the logarithmic y axis at most a decade beyond the values drawn as lines.
-
-    Error bars may leave the frame: the interval of two scans may span twenty decades, and all
-    values would lie in one line.
-    """
+    """End the logarithmic y axis near the values drawn as lines, also if error bars are endless."""
     # The y values of lines in coordinates of the axes are no data.
     heights = [
         np.asarray(line.get_ydata(), float)

@@ -70,7 +70,10 @@ def edge_numbers(data: Datasets) -> list[Number]:
         share = measured_share_at_edge(data, side)
         numbers += [edge, Number(f"{edge.name}_measured_share", share, source=edge.source)]
         if edge.status == NumberStatus.NO_INTERVAL:
-            numbers.append(_cutoffs_around(edge, data.edges.sel(side=side)))
+            cutoffs = computed_cutoffs(data.edges["filtered_force_ratio"].sel(side=side))
+            index = np.clip(np.searchsorted(cutoffs, edge.value), 1, len(cutoffs) - 1)
+            low, high = cutoffs[index - 1], cutoffs[index]
+            numbers.append(number_without_value(f"{edge.name}_cutoffs", low, high, "nm"))
     return numbers
 
 
@@ -95,13 +98,6 @@ def _edge_without_unreliable_ends(data: Datasets, side: str) -> Number:
     if edge.source == "unreliable" or overlaps_any(edge.high, edge.high, bands):
         edge = edge._replace(high=np.nan)
     return add_status(edge, data.edges["interval_source"])
-
-
-def _cutoffs_around(edge: Number, side_edges: xr.Dataset) -> Number:
-    """Return the two cutoffs between which an edge was found."""
-    cutoffs = computed_cutoffs(side_edges["filtered_force_ratio"])
-    index = np.clip(np.searchsorted(cutoffs, edge.value), 1, len(cutoffs) - 1)
-    return number_without_value(f"{edge.name}_cutoffs", cutoffs[index - 1], cutoffs[index], "nm")
 
 
 def reliable_and_unreliable_change(
