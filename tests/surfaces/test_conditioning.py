@@ -8,7 +8,6 @@ from measurements import PIXEL, UNCD, uncd_density
 from refusals import assert_says, refusal
 from repository import PAPER
 
-from hardcontact.config.limits import random_surface_pixels
 from hardcontact.surfaces import conditioning
 from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.metrics import TABLE1_METRICS, metrics
@@ -69,7 +68,7 @@ def test_conditioned_scans_have_the_given_statistics(spectrum, numbers):
 
 
 PAPER_PIXELS = PAPER["substitutes"]["pixels"]
-PAPER_GRID = ScanGrid(PAPER_PIXELS, 2500.0, random_surface_pixels(PAPER_PIXELS))
+PAPER_GRID = ScanGrid(PAPER_PIXELS, size=2500.0, surface_pixels=4 * PAPER_PIXELS)
 COARSE_GRID = ScanGrid(pixels=128, size=2500.0, surface_pixels=512)
 
 

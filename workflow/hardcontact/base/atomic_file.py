@@ -16,8 +16,7 @@ INCOMPLETE_PREFIX = ".part-"
 def atomic_file(path: str | Path) -> Iterator[str]:
     """Yield a temporary path in the same folder; rename it if the block succeeds, else remove it.
 
-    The content reaches the disk before the name, so that a power loss leaves no half file. Raises
-    ValueError, with one line, if the file cannot be written.
+    Raises ValueError, with one line, if the file cannot be written.
     """
     path = Path(path)
     temporary = path.with_name(f"{INCOMPLETE_PREFIX}{secrets.token_hex(4)}-{path.name}")
@@ -25,7 +24,7 @@ def atomic_file(path: str | Path) -> Iterator[str]:
         path.parent.mkdir(parents=True, exist_ok=True)
         yield str(temporary)
         with open(temporary, "rb") as file:
-            os.fsync(file.fileno())
+            os.fsync(file.fileno())  # Otherwise a power loss may leave the name of an empty file.
         os.replace(temporary, path)
     except OSError as error:
         existing = next(folder for folder in path.parents if folder.exists())
@@ -39,7 +38,7 @@ def atomic_file(path: str | Path) -> Iterator[str]:
 
 
 def write_text_file(path: str | Path, text: str) -> None:
-    """Write a text by `atomic_file`; an existing file is replaced."""
+    """Write a text by `atomic_file`."""
     with atomic_file(path) as temporary:
         Path(temporary).write_text(text, "utf-8")
 
@@ -47,5 +46,5 @@ def write_text_file(path: str | Path, text: str) -> None:
 def remove_incomplete_files(path: str | Path) -> None:
     """Remove incomplete versions of a file that killed processes left; no job may write it now."""
     path = Path(path)
-    for partial_path in path.parent.glob(f"{INCOMPLETE_PREFIX}*-{glob.escape(path.name)}"):
-        partial_path.unlink(missing_ok=True)
+    for incomplete_path in path.parent.glob(f"{INCOMPLETE_PREFIX}*-{glob.escape(path.name)}"):
+        incomplete_path.unlink(missing_ok=True)

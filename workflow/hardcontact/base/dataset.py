@@ -15,14 +15,12 @@ from hardcontact.base.atomic_file import atomic_file
 #: Table of the meanings of variables, by dataset (`*`: all datasets). No job depends on it: like a
 #: comment, a changed meaning makes no file stale.
 MEANINGS = Path(__file__).resolve().parents[2] / "report/variables.tsv"
-#: End of the name of a variable that holds the interval of another one.
-INTERVAL = "_interval"
 #: Datasets by key; a key has a label for each dimension along which they are stacked.
 DatasetsByLabels = Mapping[tuple[Any, ...], xr.Dataset]
 
 
 def write_dataset(dataset: xr.Dataset, path: str | Path) -> None:
-    """Write a dataset by `atomic_file`; an existing file is replaced."""
+    """Write a dataset by `atomic_file`."""
     with atomic_file(path) as temporary:
         try:
             dataset.to_netcdf(temporary, engine="netcdf4")
@@ -45,7 +43,7 @@ def describe_variables(dataset: xr.Dataset, meanings: Mapping[str, str]) -> xr.D
     """
     result = dataset.copy()
     for name, variable in result.variables.items():
-        meaning = meanings.get(str(name).removesuffix(INTERVAL))
+        meaning = meanings.get(str(name).removesuffix("_interval"))
         if meaning is not None:
             variable.attrs["long_name"] = meaning
         if variable.dtype.kind in "biu":  # flags, counts and numbers of scans
@@ -68,10 +66,8 @@ def read_dataset(path: str | Path) -> xr.Dataset:
         ) from None
 
 
-def read_by_key(
-    keys: Iterable[Sequence[Any]], paths: Iterable[str | Path]
-) -> dict[tuple[Any, ...], xr.Dataset]:
-    """Read one dataset for each key; the keys are those of `DatasetsByLabels`."""
+def read_by_key(keys: Iterable[Sequence[Any]], paths: Iterable[str | Path]) -> DatasetsByLabels:
+    """Read one dataset for each key."""
     return {tuple(key): read_dataset(path) for key, path in zip(keys, paths, strict=True)}
 
 
@@ -82,7 +78,7 @@ def read_by_name(names: Iterable[str], paths: Iterable[str | Path]) -> dict[str,
 
 def concatenate(
     datasets: DatasetsByLabels, dimension: str, shared_labels: int = 1
-) -> dict[tuple[Any, ...], xr.Dataset]:
+) -> DatasetsByLabels:
     """Join datasets along an existing dimension if their keys share the first `shared_labels`."""
     groups: dict[tuple[Any, ...], list[xr.Dataset]] = {}
     for key, dataset in datasets.items():
@@ -109,7 +105,7 @@ def stack(datasets: DatasetsByLabels, dimensions: Sequence[str]) -> xr.Dataset:
 def variables_of_columns(
     columns: np.ndarray, dimensions: str | Sequence[str], units: Mapping[str, str]
 ) -> dict[str, Any]:
-    """Return a variable for each column (the last axis); `units` has their names and units."""
+    """Return a variable for each index of the last axis, by its name in `units`."""
     return {
         name: (dimensions, columns[..., k], {"units": unit})
         for k, (name, unit) in enumerate(units.items())
@@ -117,7 +113,7 @@ def variables_of_columns(
 
 
 def add_surface_names(dataset: xr.Dataset, parameters: Mapping[str, Any]) -> xr.Dataset:
-    """Return a dataset with the variables ``label`` and ``source`` (surface), from parameters."""
+    """Return a dataset with the label and the source of each surface, from parameters."""
     surfaces = dataset["surface"].values.tolist()
     return dataset.assign(
         label=("surface", [parameters["labels"][surface] for surface in surfaces]),

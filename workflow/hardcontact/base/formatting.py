@@ -25,7 +25,7 @@ MAX_END_RATIO = 100
 LIMIT_TOLERANCE = 1e-5
 
 
-def format_number(value: float, digits: int = 3) -> str:
+def _format_digits(value: float, digits: int) -> str:
     """Return a number with significant digits; with an exponent below 0.0001 and from 1e6 on."""
     return f"{float(f'{value:.{digits}g}'):g}"
 
@@ -37,15 +37,13 @@ def round_to_three_digits(value: float, rounding: Callable[[float], int]) -> flo
 
 
 def format_value_and_ends(value: float, low: float, high: float, *limits: float) -> list[str]:
-    """Return a number and both ends of its interval, rounded alike.
+    """Return a number and both ends of its interval, with digits that the interval's width needs.
 
-    The last digit is at most a fifth of the interval's width and, if both ends have one sign, of
-    the smallest number. If then the numbers differ by more than a factor of three, each has two
-    digits instead. An end gets more digits if rounding would move it to or across a limit.
+    An end gets more digits if rounding would move it to or across a limit.
     """
     numbers = (value, low, high)
     if not all(map(math.isfinite, numbers)):
-        return [format_number(number, 2) for number in numbers]
+        return [_format_digits(number, 2) for number in numbers]
     smallest, _, largest = sorted(map(abs, numbers))
     has_one_sign = low > 0 or high < 0
     finest = min(high - low, smallest) if has_one_sign else high - low
@@ -56,11 +54,8 @@ def format_value_and_ends(value: float, low: float, high: float, *limits: float)
     return [_format_to_place(*row) for row in arguments]
 
 
-def _format_to_place(number: float, last_digit: float, limits: Sequence[float] = ()) -> str:
-    """Return a number with the decimal places of `last_digit`: 0.03 keeps hundredths.
-
-    It has more places if rounding would otherwise move it to or across a limit.
-    """
+def _format_to_place(number: float, last_digit: float, limits: Sequence[float]) -> str:
+    """Return a number with the decimal places of `last_digit`, or more to stay off the limits."""
     exponent = math.floor(math.log10(last_digit))
     text = f"{round(number, -exponent):z.{max(-exponent, 0)}f}"
     crosses_limit = any(
@@ -79,17 +74,13 @@ def _format_in_best_unit(
     open_end: str = "",
     limits: Sequence[float] = (),
 ) -> str:
-    """Return a number in the unit that fits best, with its interval if both ends are known.
-
-    `digits` count if there is no interval. At an `open_end`, "low" or "high", only the other end is
-    printed, as a bound.
-    """
+    """Return a number in the unit that fits best, with its interval if both ends are known."""
     # 999.9 nm is printed as 1 µm, not as 1000 nm: half of the last digit is enough.
     threshold = 1 - 0.5 * 10**-digits
     fitting = (name for name, size in units.items() if abs(value) >= threshold * size)
     name = next(fitting, list(units)[-1])
     if any(map(math.isnan, interval)):
-        return f"{format_number(value / units[name], digits)} {name}".rstrip()
+        return f"{_format_digits(value / units[name], digits)} {name}".rstrip()
     scaled = [number / units[name] for number in (value, *interval, *limits)]
     number, low, high = format_value_and_ends(*scaled)
     if open_end:
@@ -107,9 +98,8 @@ def format_quantity(
 ) -> str:
     """Return a number with its unit and its interval: "1.7 µm" or "640 [500, 800] nN".
 
-    Number and interval are in `unit`, a key of PRINTED_UNITS. Unknown ends are NaN. If the interval
-    `is_unbounded` or extends from 0 to infinity, it is printed as "[not bounded]".
-    With the `open_end` "high": "640 nN (at least 500 nN)".
+    Number and interval are in `unit`, a key of PRINTED_UNITS. Unknown ends are NaN; `digits` count
+    without an interval. With the `open_end` "high": "640 nN (at least 500 nN)".
     """
     is_finite = math.isfinite(sum(interval))
     unbounded = is_finite and is_unbounded(value, *interval, unit)
@@ -119,7 +109,7 @@ def format_quantity(
 
 
 def format_length(length: float) -> str:
-    """Return a length in nm with its unit: "37 nm"."""
+    """Return a length (nm) with its unit."""
     return format_quantity(length, "nm")
 
 
@@ -133,9 +123,8 @@ def format_as_paper(
 ) -> str:
     """Return a quantity in the units of the paper, with its interval: "1.7 [1.4, 2.8] µm".
 
-    The arguments are those of `format_quantity`, but any `unit` is accepted. The text is empty if
-    the value is NaN. Ends have enough digits to show on which side of each of the `limits` they
-    lie; numbers without a unit have the limits 0 and 1, too.
+    As `format_quantity`, but with any `unit`, and without text for NaN. Ends have enough digits to
+    show on which side of each of the `limits` they lie.
     """
     if math.isnan(value):
         return ""
@@ -145,13 +134,10 @@ def format_as_paper(
 
 
 def is_unbounded(value: float, low: float, high: float, unit: str) -> bool:
-    """Return whether the ends differ by more than a factor of `MAX_END_RATIO`; False for NaN.
-
-    If the interval contains zero, its farther end is compared with the value, or with one if a
-    value without a unit, such as an exponent, is smaller.
-    """
+    """Return whether the ends differ by more than a factor of `MAX_END_RATIO`; False for NaN."""
     near, far = sorted((abs(low), abs(high)))
     if low <= 0 <= high:
+        # A number without a unit, such as an exponent, may be close to zero.
         near = max(abs(value), 1.0) if unit == "1" else abs(value)
     return far > MAX_END_RATIO * near
 

@@ -6,29 +6,18 @@ from typing import Any, Literal, NamedTuple
 
 
 class NumberStatus(StrEnum):
-    """Codes of `Number.status` for any quantity.
+    """Codes of `Number.status` for any quantity; other modules have those of a single quantity."""
 
-    Codes of a single quantity are in the module that computes it. Pages turn codes into words.
-    """
-
-    #: Nothing to add to the number and its interval.
-    PLAIN = ""
-    #: Stands in JSON, where no status is empty, for PLAIN if the value is finite.
-    KNOWN = "known"
-    #: Only ends of the interval are known.
-    ONLY_ENDS = "ends"
-    #: The value is not known. Also stands in JSON for PLAIN if the value is NaN or infinite.
+    PLAIN = ""  #: Nothing to add. In JSON KNOWN or NOT_KNOWN replaces it.
+    KNOWN = "known"  #: The value is finite.
     NOT_KNOWN = "not_known"
-    #: The interval has no known low end, which lies below `low`.
-    INTERVAL_OPEN_LOW = "interval_open_low"
-    #: The interval has no known high end, which lies above `high`.
-    INTERVAL_OPEN_HIGH = "interval_open_high"
-    #: There is no interval, because scans do not limit the number.
+    ONLY_ENDS = "ends"  #: Only ends of the interval are known.
+    INTERVAL_OPEN_LOW = "interval_open_low"  #: The low end is not known; it lies below `low`.
+    INTERVAL_OPEN_HIGH = "interval_open_high"  #: The high end is not known; it lies above `high`.
     NO_INTERVAL = "no_interval"
 
 
 #: Codes for the origin of a number:
-#: - computed: from forces on surfaces or from spectra;
 #: - measured: a measured force, or an edge that rests on measured roughness;
 #: - from_measured: computed from measured forces;
 #: - extrapolated: with roughness beyond the reliable wavelengths;
@@ -36,7 +25,6 @@ class NumberStatus(StrEnum):
 #: - unreliable: an edge where no scan is reliable, or over 90 % of whose change comes from there;
 #: - partly_unreliable: an edge, 10 to 90 % of whose change comes from unreliable wavelengths;
 #: - interval_unreliable: an edge of which only the interval reaches unreliable wavelengths;
-#: - published: in the paper;
 #: - given: a key of the configuration;
 #: - assumed: a key with the paper's value, because the user gave none;
 #: - file: a property of the file of a scan.
@@ -47,25 +35,18 @@ NumberSource = Literal[
 
 
 class Number(NamedTuple):
-    """A number with its interval; an unknown value or end is NaN or infinite.
-
-    name: name of the quantity.
-    value, low, high: the number and the ends of its interval, in `unit`.
-    unit: a unit of datasets: "nm", "N", "J m-2", "1".
-    status: a code for what is known of the number, such as why it has no interval.
-    source: a code for the origin of the number.
-    """
+    """A quantity with the ends of its interval; an unknown value or end is NaN or infinite."""
 
     name: str
     value: float
-    unit: str = "1"
+    unit: str = "1"  #: A unit of datasets: "nm", "N", "J m-2", "1".
     low: float = math.nan
     high: float = math.nan
-    status: StrEnum = NumberStatus.PLAIN
+    status: StrEnum = NumberStatus.PLAIN  #: What is known, such as why there is no interval.
     source: NumberSource = "computed"
 
     def __repr__(self) -> str:
-        """Return the name, the number and, if they exist, interval, unit and status."""
+        """Return the number in one line."""
         is_bounded = math.isfinite(self.low + self.high)
         interval = f" [{self.low:.3g}, {self.high:.3g}]" if is_bounded else ""
         unit = f" {self.unit}" if self.unit != "1" else ""
@@ -74,7 +55,7 @@ class Number(NamedTuple):
 
 
 def numbers_by_name(*numbers: Number) -> dict[str, Number]:
-    """Return numbers by their names; the last number if several have the same name."""
+    """Return numbers by their names."""
     return {number.name: number for number in numbers}
 
 

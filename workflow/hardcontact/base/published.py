@@ -20,10 +20,7 @@ CLAIMS = "resources/paper/claims.csv"
 
 
 def effective_modulus(constants: Mapping[Any, Any]) -> float:
-    """Return the effective modulus E* (Pa) of both bodies: 1/E* is the sum of (1 - nu²)/E.
-
-    `constants` has the values of `constants.csv` by quantity.
-    """
+    """Return the effective modulus E* (Pa) of both bodies from the values of `constants.csv`."""
     return 1 / sum(
         (1 - float(constants[f"{body}_poisson_ratio"]) ** 2)
         / float(constants[f"{body}_youngs_modulus"])
@@ -32,29 +29,21 @@ def effective_modulus(constants: Mapping[Any, Any]) -> float:
 
 
 def read_constants(path: str | Path) -> pd.DataFrame:
-    """Read `constants.csv`, single numbers of the paper, by quantity.
-
-    The uncertainty is NaN if it is not printed. `evidence` says whether a number is published or
-    inferred, `source` in which section of the paper it is.
-    """
+    """Read `constants.csv`, single numbers of the paper, by quantity."""
     return pd.read_csv(path, index_col="quantity")
 
 
 def read_published_forces(path: str | Path, dtype: type[str] | None = None) -> pd.DataFrame:
     """Read `pull_off.csv`: the statistics of pull-off forces that the paper prints, by surface.
 
-    Returns mean_force and median_force in N and effective_work_of_adhesion in J/m², NaN if they are
-    not printed. The `dtype` str keeps the printed digits as text.
+    The `dtype` str keeps the printed digits as text.
     """
     table = pd.read_csv(path, dtype=dtype)
     return table.pivot(index="surface", columns="quantity", values="value")
 
 
 def read_table1(path: str | Path) -> pd.DataFrame:
-    """Read `table1.csv`: the roughness metrics of Table 1, one row per number and surface.
-
-    Its slopes are read as rms gradients, its curvatures as half rms Laplacians.
-    """
+    """Read `table1.csv`: the roughness metrics of Table 1, one row per number and surface."""
     return pd.read_csv(path)
 
 
@@ -65,10 +54,5 @@ def surfaces_of_table1() -> set[str]:
 
 
 def rows_of_surface(table1: pd.DataFrame, surface: str) -> pd.DataFrame:
-    """Return the rows of a surface in Table 1, by quantity; an empty table if it has none."""
+    """Return the rows of a surface in Table 1, by quantity."""
     return table1[table1["surface"] == surface].set_index("quantity")
-
-
-def split_row_names(row_names: str) -> list[str]:
-    """Split an attribute or variable `table1_rows_met` into the names of rows of Table 1."""
-    return [name for name in row_names.split(",") if name]

@@ -2,8 +2,7 @@
 
 Scans are the samples, not contacts, because contacts on one scan touch the same summits. A mean
 over scans gets the interval of Student's t. A number that follows from several means gets it from
-random samples of these means. A user may have only one or two scans, which `inference.scan_parts`
-divides.
+random samples of these means.
 """
 
 import warnings
@@ -35,10 +34,7 @@ def as_variables(
     attributes: dict[str, Any],
     confidence: float,
 ) -> dict[str, Any]:
-    """Return a value (...) and its interval (..., 2) as the variables `name` and `name_interval`.
-
-    The interval also has the dimension ``end``, low and high, and the attribute ``confidence``.
-    """
+    """Return a value (...) and its interval (..., 2) as variables `name` and `name_interval`."""
     names = (dimensions,) if isinstance(dimensions, str) else tuple(dimensions)
     return {
         name: (names, value, attributes),
@@ -73,8 +69,8 @@ def percentile_interval(samples: ArrayLike, confidence: float) -> Floats:
 def widen_interval(dataset: xr.Dataset, name: str, error: xr.DataArray) -> xr.Dataset:
     """Return a dataset with a wider interval of a positive variable, by an independent error.
 
-    The error is a factor; NaN stands for no error. The logarithms of the interval's half width and
-    of the error add in squares.
+    The error is a factor; NaN stands for no error. Logarithms of half widths and error add in
+    squares.
     """
     value = dataset[name]
     log_error = abs(np.log(error.fillna(1)))
@@ -87,7 +83,7 @@ def widen_interval(dataset: xr.Dataset, name: str, error: xr.DataArray) -> xr.Da
 
 
 def student_quantile(degrees_of_freedom: Any, confidence: float) -> Any:
-    """Return the quantile of Student's t that ends its central interval."""
+    """Return the high end of the central interval of Student's t."""
     return scipy.special.stdtrit(degrees_of_freedom, (1 + confidence) / 2)
 
 
@@ -101,10 +97,7 @@ def student_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.Da
 
 
 def student_log_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.DataArray:
-    """Return the `student_interval` of a mean of positive values, from their logarithms.
-
-    It is centred on ln(mean), and as wide as the interval of the mean logarithm.
-    """
+    """Return Student's interval (..., end) of a mean logarithm, moved to the mean of the values."""
     logarithms: xr.DataArray = xr.apply_ufunc(np.log, values)
     about_zero = student_interval(logarithms, confidence, dim) - logarithms.mean(dim)
     interval: xr.DataArray = values.mean(dim) * xr.apply_ufunc(np.exp, about_zero)
@@ -121,8 +114,7 @@ def join_ends(low: xr.DataArray, high: xr.DataArray) -> xr.DataArray:
 def student_log_samples(rng: np.random.Generator, values: Floats, sample_count: int) -> Floats:
     """Sample the mean (samples, ...) of positive values (n, ...) on n independent scans.
 
-    The samples have the distribution of `student_log_interval`. A sample adds the deviations of the
-    scans from the mean logarithm, with normal weights over a chi variable. One weight serves all
+    The samples have the distribution of `student_log_interval`. One random weight serves all
     elements of a scan, so that they stay correlated. NaN for n < 2.
     """
     count = len(values)
@@ -140,8 +132,8 @@ def student_log_samples(rng: np.random.Generator, values: Floats, sample_count: 
 def jackknife_interval(value: ArrayLike, leave_one_out: ArrayLike, confidence: float) -> Floats:
     """Return the interval (..., 2) of a positive statistic of n scans by the jackknife.
 
-    `leave_one_out` (n, ...) has the statistic without each scan. The interval is Student's t on the
-    logarithm; NaN for fewer than two scans, or if a statistic is not positive.
+    `leave_one_out` (n, ...) has the statistic without each scan. NaN for fewer than two scans, or
+    if a statistic is not positive.
     """
     statistics = np.asarray(leave_one_out, float)
     logarithms = np.log(np.where(statistics > 0, statistics, np.nan))
@@ -154,7 +146,7 @@ def jackknife_interval(value: ArrayLike, leave_one_out: ArrayLike, confidence: f
 
 
 def log_std_of_lognormal(mean: ArrayLike, median: ArrayLike) -> Floats:
-    """Return the standard deviation of ln x for a log-normal x, sqrt(2 ln(mean/median))."""
+    """Return the standard deviation of ln x for a log-normal x."""
     return np.asarray(np.sqrt(2 * np.log(np.asarray(mean) / np.asarray(median))))
 
 
@@ -162,15 +154,15 @@ def log_std_of_lognormal(mean: ArrayLike, median: ArrayLike) -> Floats:
 class Sampling:
     """Number, seed and confidence of the random samples of an uncertain quantity."""
 
-    seed: int  #: The seed of the study.
-    sample_count: int  #: Number of samples; if it is 0, all intervals are NaN.
-    confidence: float  #: Confidence of the intervals, such as 0.95.
+    seed: int
+    sample_count: int  #: If it is 0, all intervals are NaN.
+    confidence: float
     #: Purpose of the random numbers: the first names of `base.arrays.generator`.
     stream: tuple[str, ...] = ("sampling",)
 
     @classmethod
     def from_parameters(cls, parameters: Mapping[str, Any], *stream: str) -> "Sampling":
-        """Return the sampling of a job from `seed`, `samples` and `confidence`."""
+        """Return the sampling of a job."""
         seed, sample_count = parameters["seed"], parameters["samples"]
         return cls(seed, sample_count, parameters["confidence"], stream or cls.stream)
 
@@ -181,7 +173,7 @@ class Sampling:
     def sample_means(self, name: str, values: xr.DataArray, dim: str) -> xr.DataArray:
         """Return an array (sample, surface, ...): first means over scans along `dim`, then samples.
 
-        Missing scans are NaN. For one seed, random numbers depend on `name` and the surface alone.
+        Missing scans are NaN.
         """
         values = values.transpose("surface", dim, ...)
         means = values.mean(dim)

@@ -46,18 +46,16 @@ DIMENSIONLESS = {"units": "1"}
 _QUANTITY = re.compile(
     r"\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\s*([A-Za-zµμÅ/]+)(\^?2|²)?\s*"
 )
-#: Prefixes that units are printed with.
-_PRINTED_PREFIXES = ("G", "M", "k", "", "m", "µ", "n", "p", "f")
 
 
 def parse_quantity(text: object, unit: str) -> float:
     """Return the number of a quantity such as ``"10 uN"`` in a unit of the study such as ``"N"``.
 
-    Raises ValueError with one line if the quantity is no finite number with such a unit.
+    Raises ValueError, with one line, if the quantity is no finite number with such a unit.
     """
     match = _QUANTITY.fullmatch(text) if isinstance(text, str) else None
     unit_symbol = f"{match[2]}{'2' if match[3] else ''}" if match else ""
-    if match is not None and unit_symbol in FACTORS[unit]:
+    if match and unit_symbol in FACTORS[unit]:
         # Rounding to twelve digits undoes what the change of unit adds: 25 GPa is 2.5e10 Pa.
         value = float(f"{float(match[1]) * FACTORS[unit][unit_symbol]:.12g}")
         if math.isfinite(value):
@@ -70,7 +68,7 @@ def parse_quantity(text: object, unit: str) -> float:
 def format_exact(value: float, unit: str) -> str:
     """Return a quantity of the study with all its digits: ``(1e-5, "N")`` is ``"10 µN"``."""
     name = "m" if unit == "nm" else unit
-    for prefix in _PRINTED_PREFIXES:
+    for prefix in ("G", "M", "k", "", "m", "µ", "n", "p", "f"):
         number = float(f"{value / 10.0 ** POWERS_OF_TEN[unit][prefix + name]:.12g}")
         if abs(number) >= 1:
             break

@@ -58,16 +58,13 @@ def _format_argument(remedy: re.Match[str]) -> str:
 
 
 def unit_question(quantity: str, number: float) -> str:
-    """Return a question if a number, in the unit of its key, is not usual; otherwise no text.
-
-    The question suggests the number with another prefix of the unit, if that number is usual.
-    """
+    """Return a question if a number, in the unit of its key, is not usual; otherwise no text."""
     *bounds, examples = USUAL_BOUNDS[quantity]
     unit = quantity_type(CONTACT_QUANTITIES[quantity][0]).unit
     low, high = (parse_quantity(bound, unit) for bound in bounds)
     if low <= number <= high:
         return ""
-    prefixed = [number * factor for factor in (1e-3, 1e3, 1e-6, 1e6)]
+    prefixed = [number * factor for factor in (1e-3, 1e3, 1e-6, 1e6)]  # with another prefix
     meant = [format_exact(candidate, unit) for candidate in prefixed if low <= candidate <= high]
     suggestion = f" (did you mean {meant[0]}?)" if meant else ""
     return f"is the unit right? {' to '.join(bounds)} are usual for {examples}{suggestion}"
@@ -76,7 +73,7 @@ def unit_question(quantity: str, number: float) -> str:
 def check_read_arguments(
     files: Sequence[object], lengths: Mapping[str, object], **texts: object
 ) -> None:
-    """Refuse arguments that are no paths, lengths (or None, NONE) or texts, or an unknown mask."""
+    """Refuse arguments of other types, lengths that are not positive, or an unknown mask."""
     faults = [
         f"files: expected a path in each argument, found {' '.join(shorten(file).split())}"
         for file in files
@@ -114,7 +111,7 @@ def check_positive(**numbers: object) -> None:
 def check_quantities(**numbers: Any) -> None:
     """Refuse quantities of a contact beyond the limits of their keys, and warn of unusual ones.
 
-    The quantities are `radius` and `rho` in nm, `preload` in N, `hardness` in Pa, `work` in J/m².
+    Lengths are in nm, `preload` in N, `hardness` in Pa, `work` in J/m².
     """
     check_positive(**numbers)
     options = {name: "range" if name == "rho" else name for name in numbers}
@@ -138,15 +135,15 @@ def check_contact(surface: HeightMap, contact: Contact, ranges: Sequence[float])
             f"scan: expected a pixel_size of {low:g} to {high:g} nm, found "
             f"{surface.pixel_size:g} nm: is the unit right?"
         )
-    shortest_contact = replace(contact, rho=min(ranges))
     count = contact.contacts_per_row
-    check_positive(window=contact.window, contacts_per_row=count, rho=shortest_contact.rho)
+    check_positive(window=contact.window, contacts_per_row=count)
     if count != int(count):
         raise ValueError(f"contacts_per_row: expected a whole number, found {count:g}")
     # Limits are stated for a scan, which is half as large as its periodic map.
     relief = float(np.ptp(surface.heights))
     extent = Extent(surface.pixels // 2, surface.pixel_size, surface.size / 2, relief)
-    named_contact = NamedContact(shortest_contact, "preload", "contacts_per_row", "rho", prefix="")
+    shortest_contact = replace(contact, rho=min(ranges))
+    named_contact = NamedContact(shortest_contact, "preload", "contacts_per_row", "rho")
     raise_faults(islice(contact_faults(named_contact, "the map", extent), 1))
 
 
@@ -163,7 +160,7 @@ def check_cutoffs(cutoffs: Mapping[str, Sequence[float]], surface: HeightMap) ->
         f"cutoffs: expected wavelengths of more than two pixels ({shortest:.4g} nm) and at most "
         f"the {longest:.6g} nm of the mirrored scan on the {side} side, found {[*side_cutoffs]}"
         for side, side_cutoffs in cutoffs.items()
-        if not len(side_cutoffs) or not shortest < min(side_cutoffs) <= max(side_cutoffs) <= longest
+        if not shortest < min(side_cutoffs) <= max(side_cutoffs) <= longest
     )
 
 

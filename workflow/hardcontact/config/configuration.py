@@ -1,7 +1,4 @@
-"""Configurations as trees of keys, and the contacts that they describe, also in words.
-
-A `config` has quantities as written, a `study` has them as numbers: see `numeric_configuration`.
-"""
+"""Configurations: a `config` has quantities as written, a `study` has them as numbers."""
 
 from collections.abc import Mapping
 from functools import reduce
@@ -13,7 +10,7 @@ from pydantic.fields import FieldInfo
 from hardcontact.base.units import format_exact
 from hardcontact.config.faults import section_model, validate
 from hardcontact.config.key_types import Quantity
-from hardcontact.config.keys import PAPER, QUICK_SUFFIX, SMOOTH_SPHERE, Study
+from hardcontact.config.keys import PAPER, QUICK_SUFFIX, Study
 from hardcontact.contact.contact import Contact
 
 #: The key, and the name in print, of each quantity of a contact.
@@ -38,17 +35,16 @@ def quantity_type(key: str) -> Quantity:
 
 
 def numeric_configuration(config: object, prefix: str = "") -> dict[str, Any]:
-    """Return a configuration, as read from YAML, with every quantity as a number.
+    """Return a configuration with every quantity as a number in nm, N, Pa or J/m².
 
-    Lengths are in nm, forces in N, pressures in Pa, energies per area in J/m². Missing keys have
-    their defaults. Messages begin with the prefix.
+    Missing keys have their defaults. Messages begin with the prefix.
     """
     # `scans` may be a word in place of a list, of which pydantic would warn.
     return validate(Study, config, f"{prefix}config key ").model_dump(warnings=False)
 
 
 def get_key(tree: Mapping[str, Any], key: str) -> Any:
-    """Return the value of a key, with dots between its parts, in a tree of keys."""
+    """Return the value of a key such as ``"sphere.radius"``."""
     return reduce(getitem, key.split("."), tree)
 
 
@@ -66,8 +62,7 @@ def merge_overlay(config: Mapping[str, Any], overlay: Mapping[str, Any]) -> dict
 def apply_effort(config: Mapping[str, Any]) -> dict[str, Any]:
     """Return the configuration; with `effort: quick` the keys under `quick` replace others.
 
-    The names of study and store then end with QUICK_SUFFIX, so that a quick study replaces no
-    other.
+    The names of study and store then end with QUICK_SUFFIX.
     """
     quick = config.get("quick")
     if config.get("effort") != "quick" or not isinstance(quick, dict):
@@ -83,13 +78,8 @@ def is_paper_study(study: Mapping[str, Any]) -> bool:
     return bool(study["published"] == PAPER)
 
 
-def has_own_rough_sphere(study: Mapping[str, Any]) -> bool:
-    """Return whether the sphere that touches the user's surfaces is rough."""
-    return bool(not is_paper_study(study) and study["sphere"]["surface"] != SMOOTH_SPHERE)
-
-
 def set_keys(config: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
-    """Return a copy of a tree with new values, by keys with dots between their parts."""
+    """Return a copy of a configuration with new values, by keys such as ``"sphere.radius"``."""
     updated = dict(config)
     for key, value in values.items():
         *sections, name = key.split(".")
@@ -126,7 +116,7 @@ def master_keys(study: Mapping[str, Any], section: str, side: str) -> dict[str, 
 
 
 def contact_words(study: Mapping[str, Any]) -> dict[str, str]:
-    """Return the surface of the sphere, and CONTACT_QUANTITIES by their names, all as printed."""
+    """Return the surface of the sphere and CONTACT_QUANTITIES as printed, by their names."""
     words = {"sphere": str(study["sphere"]["surface"])}
     for key, name in CONTACT_QUANTITIES.values():
         words[name] = format_exact(get_key(study, key), quantity_type(key).unit)

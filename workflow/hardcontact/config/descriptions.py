@@ -1,4 +1,4 @@
-"""Checks of the descriptions of substitute surfaces (`resources/README.md`)."""
+"""Checks of the descriptions of substitutes, which `resources/README.md` explains."""
 
 import math
 from collections.abc import Collection
@@ -45,7 +45,7 @@ class ProfileRow(Keys, extra="ignore"):
 
 
 def refuse_description(path: str | Path, published_rows: Collection[str]) -> None:
-    """Refuse a description without a spectrum; the rows are those of its surface in Table 1."""
+    """Refuse a description that gives no spectrum with the rows of its surface in Table 1."""
     content = "a table with the columns {} (resources/README.md)"
     rows = read_rows(path, SegmentRow, content)
     for line, row in rows.items():
@@ -66,11 +66,7 @@ def refuse_description(path: str | Path, published_rows: Collection[str]) -> Non
 
 
 def refuse_paper_surface(path: str | Path, surface: str, published: Collection[str]) -> None:
-    """Refuse, in a study of the user's surfaces, a surface of the paper or one without any data.
-
-    `refuse_description` must accept the description. `published` are the surfaces in the paper's
-    Table 1, to which substitutes with these names are conditioned. Raises ValueError with one line.
-    """
+    """Refuse a surface of Table 1, and a description without data, in a study of other surfaces."""
     segments = read_segments(path)
     if surface in published or needs_calibration(segments):
         raise ValueError(

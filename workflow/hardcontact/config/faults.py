@@ -25,12 +25,9 @@ EXPECTED_VALUES = {
 #: The words around the accepted values in pydantic's other messages, such as "Input should be
 #: less than or equal to 200" and "List should have at least 1 item after validation, not 0".
 PYDANTIC_PHRASES = re.compile(r"^\w+ should (be|have) |\bvalid | after validation, not \d+$|'")
-#: Types of errors of a key that the model does not have.
-UNKNOWN_KEYS = ("extra_forbidden", "invalid_key")
 #: How many faults are reported at once, so that a screen holds them.
 MAX_LINES = 30
-#: Similarity from which an unknown key is taken for a known key, 1 if equal: one letter in four may
-#: differ.
+#: Smallest similarity of a name and the known name that it may mean: one letter in four may differ.
 SIMILARITY = 0.75
 
 Model = TypeVar("Model", bound=BaseModel)
@@ -68,7 +65,7 @@ def spelling_question(name: str, known_names: Iterable[str]) -> str:
 
 
 def quote_key(key: object) -> str:
-    """Return a key or a cell as a file has it, or escaped and shortened to fit a line."""
+    """Return a key or a cell as written, or escaped and shortened to fit a line."""
     text = str(key) or "nothing"
     return text if text.strip() and text.isprintable() and len(text) < 80 else shorten(key)
 
@@ -98,7 +95,7 @@ def _fault_lines(model: type[BaseModel], error: ValidationError, prefix: str) ->
     unknown = dict[tuple[int | str, ...], list[str]]()
     for fault in error.errors(include_url=False):
         keys = fault["loc"]
-        if fault["type"] in UNKNOWN_KEYS:
+        if fault["type"] in ("extra_forbidden", "invalid_key"):
             unknown.setdefault(keys[:-1], []).append(quote_key(keys[-1]))
         elif not keys and fault["type"] == "value_error":  # a rule across keys
             lines = str(fault["ctx"]["error"]).splitlines()
@@ -124,7 +121,7 @@ def section_model(model: type[BaseModel], keys: Iterable[int | str]) -> type[Bas
 
 
 def _describe_fault(fault: Mapping[str, Any]) -> str:
-    """Return the accepted values and the value, as a sentence."""
+    """Return the accepted values and the value in words."""
     if fault["type"] == "value_error":
         return str(fault["ctx"]["error"])
     words = PYDANTIC_PHRASES.sub("", fault["msg"].replace("''", "nothing"))

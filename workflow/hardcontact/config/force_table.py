@@ -35,9 +35,9 @@ def read_forces(
 ) -> pd.DataFrame:
     """Return the user's pull-off forces on the surfaces of a study, by line of the file.
 
-    The columns are surface, mean and median in N, count of forces, and site, blank if not given. A
-    single force is its own mean and median. A force over the radius of the probe is multiplied by
-    the `radius` (nm). `named_by` is the key or the option with the path, for messages.
+    The columns are surface, mean and median in N, count of forces, and site. A force over the
+    radius of the probe is multiplied by the `radius` (nm). `named_by` is the key or the option with
+    the path, for messages.
     """
     table = user_table(path, f"a table of forces ({named_by})", decode=_decode_forces)
     header, units = _split_units(table.header)
@@ -100,13 +100,6 @@ def _split_units(header: Sequence[str]) -> tuple[list[str], dict[str, str]]:
     return names, {name: unit for name, unit in units.items() if name in FORCE_COLUMNS}
 
 
-def _convert_to_newton(number: str, unit: str, radius: float) -> float:
-    """Return a force in N; a force over the radius of the probe (nm) is multiplied by it."""
-    if unit.endswith("N/m"):
-        return parse_quantity(f"{number} {unit}", "J/m2") * radius * NANOMETRE
-    return parse_quantity(f"{number} {unit}", "N")
-
-
 def _parse_force(
     row: Row, units: Mapping[str, str], surfaces: Collection[str], radius: float
 ) -> tuple[str, float, float, int, str]:
@@ -116,6 +109,8 @@ def _parse_force(
     forces = []
     # A single force is its own mean and median.
     for name in ("mean", "median") if "mean" in row else ("value", "value"):
+        unit = units.get(name, row["unit"])
+        written = f"{row[name]} {unit}"
         if parse_number(row[name]) == 0 or row[name].startswith("<"):
             raise ValueError(
                 f"{name}: expected a force above zero, found {quote_key(row[name])}: for a force "
@@ -126,9 +121,11 @@ def _parse_force(
                 f"{name}: expected forces above zero, found {quote_key(row[name])}: pull-off "
                 "counts as positive here, so take off the sign"
             )
-        force = _convert_to_newton(row[name], units.get(name, row["unit"]), radius)
+        if unit.endswith("N/m"):
+            force = parse_quantity(written, "J/m2") * radius * NANOMETRE
+        else:
+            force = parse_quantity(written, "N")
         if not FORCE_QUANTITY.low <= force <= FORCE_QUANTITY.high:
-            written = f"{row[name]} {units.get(name, row['unit'])}"
             raise ValueError(f"{name}: expected {FORCE_QUANTITY.expects}, found {written}")
         forces.append(force)
     mean, median = forces

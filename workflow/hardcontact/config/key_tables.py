@@ -44,7 +44,7 @@ def configuration_yaml() -> str:
 
 
 def update_columns(text: str) -> str:
-    """Return Markdown with a new table of columns between ``columns: begin`` and ``end``."""
+    """Return Markdown with a new table of columns."""
     begin, end = "<!-- columns: begin -->\n", "<!-- columns: end -->\n"
     fields = SurfaceRow.model_fields.items()
     rows = [f"| `{name}` | {_meaning(field)} | {_values(field)} |" for name, field in fields]
@@ -59,7 +59,7 @@ def _meaning(field: FieldInfo) -> str:
 
 
 def _paper_section(field: FieldInfo) -> str:
-    """Return the sentence on the section of the paper that a default comes from, if any."""
+    """Return a sentence that names the section of the paper with a default, if any."""
     extra: Any = field.json_schema_extra or {}
     return f" Paper: {extra['paper']}." if extra.get("paper") else ""
 
@@ -67,10 +67,7 @@ def _paper_section(field: FieldInfo) -> str:
 def commented_yaml(
     tree: Mapping[str, Any], comments: Mapping[str, str], prefix: str = ""
 ) -> Iterator[str]:
-    """Yield the lines of a tree of keys as YAML, every key below its comment.
-
-    Comments are by key, with dots between its parts; `prefix` is the key of the tree itself.
-    """
+    """Yield the lines of a configuration, or of a section with its prefix, with comments by key."""
     indent = "  " * prefix.count(".")
     for name, value in tree.items():
         is_section = isinstance(value, dict) and bool(value)

@@ -33,7 +33,7 @@ class Quantity:
         return f"{format_exact(self.low, self.unit)} to {format_exact(self.high, self.unit)}"
 
     def number(self, text: object) -> float:
-        """Return the number of a text. Raises ValueError if it is no quantity within the bounds."""
+        """Return the number of a text; refuse a text that is no quantity within the bounds."""
         value = parse_quantity(text, self.unit)
         if not self.low <= value <= self.high:
             raise ValueError(f"expected {self.expects}, found {shorten(text)}")
@@ -54,8 +54,8 @@ class Matching:
     expects: str
 
     def check(self, text: str) -> str:
-        """Return a text that matches. Raises ValueError if it does not."""
-        # A terminal would obey what is not printable.
+        """Return a text that matches; refuse another one."""
+        # A terminal would obey control characters.
         if text.isprintable() and re.fullmatch(self.pattern, text):
             return text
         raise ValueError(f"expected {self.expects}, found {shorten(text)}")
@@ -66,7 +66,7 @@ class Matching:
 
 
 def _ascending(texts: Any, validate: Callable[[Any], list[float]]) -> list[float]:
-    """Return numbers; refuse quantities that do not ascend, in whatever units they are written."""
+    """Return numbers; refuse quantities that do not ascend."""
     numbers = validate(texts)
     for index, (smaller, larger) in enumerate(pairwise(numbers)):
         if smaller >= larger:

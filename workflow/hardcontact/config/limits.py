@@ -30,40 +30,18 @@ from hardcontact.surfaces.synthesis import SIDES
 PIXEL_SIZES = (0.05, 1e4)
 #: Largest number of pixels per row of a map: arrays of more than 2 GiB are not validated.
 MAX_MAP_PIXELS = 16384
-#: Width of the periodic random surface from which a substitute is cut, in widths of the substitute.
-#: A real scan has waves longer than itself and does not continue at its borders; a larger surface
-#: would imitate this better, but takes more memory.
-RANDOM_SURFACE_WIDTH_RATIO = 4
 #: Largest share of the pixels around a contact that may touch: a choice, far above the shares of
 #: hard, rough contacts.
 MAX_CONTACT_SHARE = 1 / 4
 #: Largest number of contact pixels of all contacts on a scan, with their images in the window. All
 #: are in memory at once, some 24 bytes each, 1.6 GB together.
 MAX_CONTACT_PIXELS = 2**26
-#: Bytes per pixel of a master when most memory is used: three maps in float32, or one map's
-#: transform in single precision and two maps. 13.2 were measured at 8192², and writing the file may
-#: need another map.
-BYTES_PER_PIXEL = 17.0
-#: Megabytes of Python, its packages, the scan, and blocks of rows in double precision.
-BASE_MEGABYTES = 500
-#: Megabytes of a job on small masters, with Snakemake beside it.
-MINIMUM_MEGABYTES = 3000
-
-
-def random_surface_pixels(pixels: int) -> int:
-    """Return the pixels per row of the random surface from which a substitute is cut."""
-    return min(RANDOM_SURFACE_WIDTH_RATIO * pixels, MAX_MAP_PIXELS)
 
 
 def same_pixels(extent: Extent, reference: Extent) -> bool:
     """Return whether the scans of two extents have the same number and size of pixels."""
     same_size = math.isclose(reference.pixel_size, extent.pixel_size, rel_tol=1e-3)
     return extent.pixels == reference.pixels and same_size
-
-
-def master_megabytes(pixels: int) -> int:
-    """Return the memory (10^6 bytes) of a job on a master with these pixels per row."""
-    return max(MINIMUM_MEGABYTES, BASE_MEGABYTES + math.ceil(BYTES_PER_PIXEL * pixels**2 / 1e6))
 
 
 class NamedContact(NamedTuple):
@@ -73,7 +51,6 @@ class NamedContact(NamedTuple):
     preload_key: str = "contact.preload"
     count_key: str = "contact.contacts_per_row"
     rho_key: str = "adhesion.ranges"
-    prefix: str = "config key "  #: Begins messages, before the name.
 
 
 def study_contacts(study: dict[str, Any]) -> dict[str, NamedContact]:
@@ -116,19 +93,19 @@ def refuse_unfit_values(study: dict[str, Any], extents: Mapping[str, Extent]) ->
 
 def contact_faults(named_contact: NamedContact, surface: str, extent: Extent) -> Iterator[str]:
     """Yield the faults of a contact on a scan: load, number of contacts and range of adhesion."""
-    contact, preload_key, count_key, rho_key, prefix = named_contact
+    contact, preload_key, count_key, rho_key = named_contact
     row_pixels = 2 * extent.pixels
     seen_pixels = min(count_window_pixels(contact.window, extent.pixel_size), row_pixels) ** 2
     max_pixels = int(MAX_CONTACT_SHARE * seen_pixels)
     reason = f"which {100 * MAX_CONTACT_SHARE:g} % of {seen_pixels} pixels of {surface} can carry"
-    yield from _load_faults(prefix + preload_key, contact, max_pixels, extent.pixel_size, reason)
+    yield from _load_faults(preload_key, contact, max_pixels, extent.pixel_size, reason)
     if contact.contacts_per_row > row_pixels:
         accepted = f"at most the {row_pixels} pixels along the mirrored scan of {surface}"
-        yield f"{prefix}{count_key}: expected {accepted}, found {contact.contacts_per_row}"
+        yield f"{count_key}: expected {accepted}, found {contact.contacts_per_row}"
     min_rho, reason = minimum_range(contact.radius, contact.window, extent)
     if contact.rho < min_rho:
         accepted = f"at least {min_rho:g} nm on {surface}, where {reason}"
-        yield f"{prefix}{rho_key}: expected {accepted}, found {contact.rho:.4g} nm"
+        yield f"{rho_key}: expected {accepted}, found {contact.rho:.4g} nm"
 
 
 def _scan_faults(study: dict[str, Any], surface: str, extent: Extent) -> Iterator[str]:
@@ -143,7 +120,9 @@ def _scan_faults(study: dict[str, Any], surface: str, extent: Extent) -> Iterato
     master_extent = extent._replace(size=extent.size * study["band"]["long"]["tiles"])
     for stage, named_contact in study_contacts(study).items():
         uses_masters = stage in ("band", "sets") and not is_sphere
-        yield from contact_faults(named_contact, surface, master_extent if uses_masters else extent)
+        map_extent = master_extent if uses_masters else extent
+        for fault in contact_faults(named_contact, surface, map_extent):
+            yield f"config key {fault}"
 
 
 def _body_faults(
@@ -166,13 +145,13 @@ def _body_faults(
         if pixels < 2:
             accepted = f"at least 2 contact pixels of {pixel_size:.4g} nm at the largest"
             yield key_fault("indent.preloads", accepted, pixels)
-    contact, preload_key, _, rho_key, _ = contacts["band"]
+    contact = contacts["band"].contact
     depth = penetration_depth(contact, extent.relief)
     min_rho = depth / PENETRATION_OVER_RANGE
     if contact.rho < min_rho:
-        pressed = f"{preload_key} presses the bodies some {depth:.3g} nm into each other"
+        pressed = f"contact.preload presses the bodies some {depth:.3g} nm into each other"
         accepted = f"at least {min_rho:.3g} nm, as {pressed}"
-        yield key_fault(rho_key, accepted, f"{contact.rho:.4g} nm")
+        yield key_fault("adhesion.range", accepted, f"{contact.rho:.4g} nm")
 
 
 def _master_faults(
@@ -206,7 +185,7 @@ def _master_faults(
 
 
 def _map_faults(bodies: str, pixel_size: float, *extents: Extent) -> Iterator[str]:
-    """Yield the fault of mirrored maps that are too large on the pixels (nm) of the finest map."""
+    """Yield the fault of mirrored maps that are too large on common pixels (nm)."""
     pixels = round(max(2 * extent.size for extent in extents) / pixel_size)
     if pixels > MAX_MAP_PIXELS:
         common_pixels = f"{bodies} on common pixels of {pixel_size:.4g} nm"
@@ -218,19 +197,20 @@ def _memory_faults(
     named_contact: NamedContact, surface: str, pixel_size: float, periods: float
 ) -> Iterator[str]:
     """Yield the fault of a load whose contact pixels, each `periods` times, exceed the memory."""
-    contact, preload_key, count_key, _, prefix = named_contact
+    contact, preload_key, count_key, _ = named_contact
     reason = (
         f"with which the contact pixels of {pixel_size:.4g} nm on {surface} fit into memory at "
         f"{count_key} = {contact.contacts_per_row} and contact.window = {contact.window:.6g} nm"
     )
     available_pixels = int(MAX_CONTACT_PIXELS / contact.contacts_per_row**2 / periods)
-    yield from _load_faults(prefix + preload_key, contact, available_pixels, pixel_size, reason)
+    key = f"config key {preload_key}"
+    yield from _load_faults(key, contact, available_pixels, pixel_size, reason)
 
 
 def _load_faults(
     name: str, contact: Contact, available_pixels: int, pixel_size: float, reason: str
 ) -> Iterator[str]:
-    """Yield the fault of a load with more contact pixels (width in nm) than are available."""
+    """Yield the fault of a load with more contact pixels than are available."""
     if contact.pixel_count(pixel_size) > available_pixels:
         max_load = available_pixels * (pixel_size * 1e-9) ** 2 * contact.hardness
         yield (

@@ -70,7 +70,7 @@ class Selection:
     ) -> None:
         """Take the results of `selected_scans` and `digest_surfaces`, and the surfaces of Table 1.
 
-        A sphere that is not in the table is smooth.
+        A sphere that is not in the table of surfaces is smooth.
         """
         self._rows = rows
         self._contact_rows = rows[rows.use == CONTACT_USE]
@@ -103,7 +103,7 @@ class Selection:
         return self.contact_scans(self.sphere) or [NO_SCAN]
 
     def attributes(self, surface: str) -> dict[str, str]:
-        """Return the attributes of a dataset of one surface: its name, its label and its source."""
+        """Return the attributes of a dataset of one surface."""
         return {"surface": surface, "label": self.labels[surface], "source": self.sources[surface]}
 
     def all_scans(self, surface: str) -> list[int]:
@@ -126,29 +126,14 @@ class Selection:
         return scans[(master_number - 1) % len(scans)]
 
     def separate_master_scan(self, surface: str, master_number: int) -> int:
-        """Return the number of the scan in a master: a substitute scan that no other master has.
+        """Return the number of the scan in a master: no other master has the same substitute scan.
 
-        Substitute scans beyond those of the study are made for masters alone. Measured scans are
-        taken in turn.
+        Substitute scans beyond those of the study are made for masters alone.
         """
         scans = self.contact_scans(surface)
         if master_number <= len(scans) or surface in self.measured_surfaces:
             return self.master_scan_in_turn(surface, master_number)
         return max(scans) + master_number - len(scans)
-
-    def batch_number(self, surface: str, scan: int) -> int:
-        """Return the number of the batch (`scans_of_batch`) of a substitute scan."""
-        scans = self.contact_scans(surface)
-        return 0 if scan in scans else 1 + (scan - max(scans) - 1) // len(scans)
-
-    def scans_of_batch(self, surface: str, batch: int) -> list[int]:
-        """Return the scans of a batch, which meet Table 1 together: see `condition_batch`.
-
-        Batch 0 has the scans of the study, each other batch as many further ones.
-        """
-        scans = self.contact_scans(surface)
-        start = max(scans) + 1 + (batch - 1) * len(scans)
-        return list(range(start, start + len(scans))) if batch else scans
 
     def path(self, surface: str, scan: int) -> str:
         """Return the file of a measured scan, or the description of a substitute."""
@@ -170,10 +155,9 @@ class Selection:
 
 
 def surface_table(path: str | Path) -> pd.DataFrame:
-    """Return the rows of the table of surfaces, by line of the file.
+    """Return the rows of the table of surfaces with the columns of `SurfaceRow`, by line.
 
-    The columns are those of `SurfaceRow`: `scan` is an int, `tip_radius` a number in nm as text or
-    empty, an empty `use` CONTACT_USE.
+    `scan` is an int, `tip_radius` a number in nm as text or empty.
     """
     if not os.path.isfile(path):
         raise ValueError(f"config key surfaces: expected a table of surfaces, found no file {path}")
@@ -193,14 +177,14 @@ def surface_table(path: str | Path) -> pd.DataFrame:
 
 
 def digest_surfaces(rows: pd.DataFrame) -> dict[str, str]:
-    """Return a digest of the rows and files of each surface, which paths of intermediates have."""
+    """Return a digest of the rows and files of each surface, for the paths of intermediates."""
     cells = rows.assign(path=rows.path.map(file_digest)).drop(columns="label").astype(str)
     surfaces = cells.groupby("surface")
     return {str(name): short_value_digest(surface.to_dict("records")) for name, surface in surfaces}
 
 
 def selected_scans(table: pd.DataFrame, scans: Literal["all"] | list[int]) -> pd.DataFrame:
-    """Return the rows that a study uses: all rows, or the rows of these numbers of scans."""
+    """Return the rows that a study uses, by the key `scans`."""
     if scans == "all":
         return table
     existing = sorted({int(scan) for scan in table.scan})
@@ -213,7 +197,7 @@ def selected_scans(table: pd.DataFrame, scans: Literal["all"] | list[int]) -> pd
 
 
 def _refuse_repeated(path: str | Path, table: pd.DataFrame, columns: list[str]) -> None:
-    """Refuse a row with the same values as an earlier row in all of these columns."""
+    """Refuse a row that repeats the values of an earlier row in all of these columns."""
     repeated = table[table.duplicated(columns)]
     if len(repeated):
         values = " ".join(str(repeated.iloc[0][column]) for column in columns)

@@ -5,7 +5,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple
 
-from hardcontact.config.configuration import has_own_rough_sphere, is_paper_study, study_contact
+from hardcontact.config.configuration import is_paper_study, study_contact
 from hardcontact.config.selected_surfaces import Selection
 
 #: Minimum number of positions on a rough sphere that touch each surface of the user. With 16 an
@@ -54,32 +54,30 @@ class StudyPlan:
 
     @property
     def scan_batches(self) -> dict[tuple[int, ...], list[str]]:
-        """The substitutes whose scans with these numbers are a batch, which one job makes."""
-        sections = ("band", "sets", "exponents")
-        master_count = max(self.study[name]["masters"] for name in sections)
-        selection = self.selection
+        """The substitutes by the numbers of the scans that one job makes, a batch.
+
+        Batch 0 has the scans of the study, each other batch as many further ones, for masters.
+        """
+        master_count = max(self.study[name]["masters"] for name in ("band", "sets", "exponents"))
         surfaces_by_scans = defaultdict[tuple[int, ...], list[str]](list)
-        for surface in selection.substitutes:
-            last_scan = selection.separate_master_scan(surface, master_count)
-            last_batch = selection.batch_number(surface, last_scan)
-            for batch in range(last_batch + 1):
-                surfaces_by_scans[tuple(selection.scans_of_batch(surface, batch))].append(surface)
+        for surface in self.selection.substitutes:
+            scans = self.selection.contact_scans(surface)
+            last_scan = self.selection.separate_master_scan(surface, master_count)
+            surfaces_by_scans[tuple(scans)].append(surface)
+            for start in range(max(scans) + 1, last_scan + 1, len(scans)):
+                surfaces_by_scans[tuple(range(start, start + len(scans)))].append(surface)
         return surfaces_by_scans
 
     def master_scan(self, surface: str, master_number: int) -> int:
-        """Return the number of the scan in a master, in the paper's study one for each master.
-
-        Masters of a user's surface may share a scan, and their intervals take this into account.
-        """
+        """Return the number of the scan in a master."""
         if is_paper_study(self.study):
             return self.selection.separate_master_scan(surface, master_number)
+        # Intervals take into account that masters of a user's surface share scans.
         return self.selection.master_scan_in_turn(surface, master_number)
 
     def sphere_radius(self, surface: str) -> float | None:
         """Return the radius (nm) of the sphere in scans of its surface, None in other scans."""
         return self.contact.radius if surface == self.selection.sphere else None
-
-    # Substitutes
 
     @property
     def featured_surface(self) -> str | None:
@@ -93,7 +91,7 @@ class StudyPlan:
     def combined_surfaces(self) -> list[str]:
         """The measured substrates to which the roughness of a measured sphere is added."""
         measured = self.selection.measured_surfaces
-        if not has_own_rough_sphere(self.study) or self.selection.sphere not in measured:
+        if is_paper_study(self.study) or self.selection.sphere not in measured:
             return []
         return [name for name in self.selection.substrates if name in measured]
 
@@ -119,17 +117,21 @@ class StudyPlan:
     @property
     def positions_per_row(self) -> int:
         """Positions per row of the square array of positions on each scan of the sphere."""
-        minimum = SPHERE_POSITIONS if has_own_rough_sphere(self.study) else 1
+        is_rough = self.selection.sphere in self.selection.surfaces
+        minimum = SPHERE_POSITIONS if is_rough and not is_paper_study(self.study) else 1
         return math.ceil(math.sqrt(minimum / len(self.selection.sphere_scans)))
 
     @property
     def sphere_positions(self) -> list[int]:
         """Numbers of the positions on the sphere: those of its scans if each has one position."""
-        scans, row_positions = self.selection.sphere_scans, self.positions_per_row
-        return scans if row_positions == 1 else list(range(1, len(scans) * row_positions**2 + 1))
+        scans = self.selection.sphere_scans
+        if self.positions_per_row == 1:
+            return scans
+        return list(range(1, len(scans) * self.positions_per_row**2 + 1))
 
     @property
     def contacts_per_row_at_position(self) -> int:
         """Contacts per row of the array at each position: fewer if there are several."""
-        limit = math.inf if self.positions_per_row == 1 else POSITION_CONTACTS_PER_ROW
-        return int(min(self.contact.contacts_per_row, limit))
+        if self.positions_per_row == 1:
+            return self.contact.contacts_per_row
+        return min(self.contact.contacts_per_row, POSITION_CONTACTS_PER_ROW)

@@ -34,7 +34,7 @@ def read_yaml(path: str) -> Any:
 
 
 def refuse_unreadable(path: str | Path) -> None:
-    """Refuse a file that is not YAML with keys at its top."""
+    """Refuse a file that is no YAML with keys at its top."""
     if not Path(path).exists():
         raise ValueError(
             f"{path}: expected a YAML file, found none (targets stand before --configfile)"
@@ -75,10 +75,9 @@ class UserTable(NamedTuple):
     def require_columns(
         self, columns: Sequence[str], content: str, allowed: Collection[str] | None = None
     ) -> None:
-        """Refuse a table without rows, or with a missing or repeated column.
+        """Refuse a table without rows, or with a missing, repeated or unknown column.
 
-        `content` describes the table in the message. If `allowed` columns are given, all other
-        columns are refused, too.
+        `content` describes the table in the message. Without `allowed` no column is unknown.
         """
         complete = set(columns) <= set(self.header) <= set(allowed or self.header)
         if not (self.cells and complete and len(set(self.header)) == len(self.header)):
@@ -88,11 +87,7 @@ class UserTable(NamedTuple):
             )
 
     def map_rows(self, function: Callable[[Row], Result]) -> dict[int, Result]:
-        """Return the results of a function of each row, by line.
-
-        Raises ValueError with the faults that the function raises; rows of the same fault share a
-        line.
-        """
+        """Return the results of a function of each row, by line; refuse its faults."""
         results = dict[int, Result]()
         faults = dict[str, list[tuple[int, str]]]()
         for line, cells in self.cells.items():
@@ -126,10 +121,9 @@ def user_table(
     separator: str = ",",
     decode: Callable[[bytes], str] = decode_utf8,
 ) -> UserTable:
-    """Read a table that the user wrote, with a header; between tabs nothing is quoted.
+    """Read a table that the user wrote; messages name the required content and form.
 
     Semicolons or tabs may separate cells, and decimals may then have a comma, as in spreadsheets.
-    Messages name the required content and form of the table.
     """
     if not os.path.isfile(path):
         raise ValueError(f"{path}: expected {content}, found no file")
@@ -174,7 +168,7 @@ def read_rows(
 
 
 def parse_number(cell: str) -> float:
-    """Return the number in a cell, which may be infinite; NaN if the cell is not a number."""
+    """Return the number in a cell; NaN if the cell has none."""
     try:
         return float(cell)
     except ValueError:

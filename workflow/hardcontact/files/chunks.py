@@ -1,6 +1,6 @@
 """Chunks: what one job computes together, such as some scans of a pool or some masters.
 
-The fields of a chunk are the wildcards of a pattern, from which `SurfaceFiles.paths` makes a path.
+The fields of a chunk are wildcards of a path.
 """
 
 from dataclasses import replace
@@ -81,16 +81,14 @@ class Chunks:
 
     @property
     def featured_candidates(self) -> list[CandidateChunk]:
-        """The candidates with features, for the sets: outputs of compute_featured_candidates.
-
-        Each set takes one candidate, bumps and pits in turn. Gaussian surfaces only serve for
-        comparison, and make one chunk.
-        """
+        """The candidates with features, for the sets: outputs of compute_featured_candidates."""
         surface = self._plan.featured_surface
         if surface is None:
             return []
+        # Each set takes one candidate, bumps and pits in turn.
         set_candidates = ceil(self._study["sets"]["count"] / len(FEATURE_SIGNS))
         counts = {kind: set_candidates for kind in FEATURE_SIGNS}
+        # Gaussian surfaces only serve for comparison.
         counts[GAUSSIAN] = min(set_candidates, CANDIDATES_PER_JOB)
         return [
             CandidateChunk(surface, kind, *span)
@@ -113,6 +111,9 @@ class Chunks:
         spans = _spans(count, PURPOSES[purpose].masters_per_job)
         sweep = self._files.patterns.settings[purpose]
         loadings = [replace(self._plan.contact, **loading) for loading in sweep["loadings"]]
+        substrates = self._selection.substrates
+        if PURPOSES[purpose].samples_spectra:  # only spectra of measured surfaces are sampled
+            substrates = [name for name in substrates if name in self._selection.measured_surfaces]
         return [
             MasterForcesChunk(
                 purpose=purpose,
@@ -125,35 +126,21 @@ class Chunks:
                 loadings="+".join(contact.loading_name for contact in loadings),
                 ranges="+".join(f"rho{path_token(rho, 'nm')}" for rho in sweep["ranges"]),
             )
-            for surface in self._substrates_with_masters(purpose)
+            for surface in substrates
             for first, last in spans
         ]
 
-    def _substrates_with_masters(self, purpose: str) -> list[str]:
-        """Return the substrates with masters; only spectra of measured surfaces are sampled."""
-        substrates = self._selection.substrates
-        if PURPOSES[purpose].samples_spectra:
-            return [name for name in substrates if name in self._selection.measured_surfaces]
-        return substrates
-
     def _sphere_digest(self, purpose: str, surface: str) -> str:
-        """Return the digest of the sphere's scans, or SMOOTH_SPHERE.
-
-        The sphere is smooth if the study or the purpose wants it, or if masters have its roughness.
-        """
-        is_rough = self._study["band"]["sphere_roughness"]
-        is_added = surface in self._plan.combined_surfaces
-        if is_added or not (is_rough and PURPOSES[purpose].rough_sphere):
-            return SMOOTH_SPHERE
-        return self._selection.sphere_digest
+        """Return the digest of the sphere's scans, SMOOTH_SPHERE if masters have its roughness."""
+        is_rough = self._study["band"]["sphere_roughness"] and PURPOSES[purpose].rough_sphere
+        if is_rough and surface not in self._plan.combined_surfaces:
+            return self._selection.sphere_digest
+        return SMOOTH_SPHERE
 
     def master_inputs(
         self, purpose: str, surface: str, first: int, last: int
     ) -> dict[str, list[str]]:
-        """Return the inputs of rule compute_filtered_forces: by name, a file for each master.
-
-        Masters without files are made by the job, from scans and spectra.
-        """
+        """Return the inputs of rule compute_filtered_forces: by name, a file for each master."""
         files = self._files
         numbers = range(first, last + 1)
         if PURPOSES[purpose].masters_are_files:
@@ -164,10 +151,11 @@ class Chunks:
                 ]
                 for side in SIDES
             }
+        # The job makes other masters from scans and spectra.
         if PURPOSES[purpose].samples_spectra:
             spectra = [files.sampled_spectrum_path(surface, number) for number in numbers]
         else:
             spectra = [files.spectrum_path(surface)] * len(numbers)
-        find_scan = self._plan.master_scan
-        scans = [files.contact_map_path(surface, find_scan(surface, number)) for number in numbers]
+        scan_numbers = [self._plan.master_scan(surface, number) for number in numbers]
+        scans = [files.contact_map_path(surface, scan) for scan in scan_numbers]
         return {"scans": scans, "spectra": spectra}

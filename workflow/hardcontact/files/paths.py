@@ -24,8 +24,7 @@ class StorePatterns:
     """The paths of intermediates, with wildcards in braces where a rule makes several files.
 
     Paths have digests of all settings on which a file depends, and of the rows of its surface in
-    the table of surfaces, so that two studies share equal files, and others coexist. Radius,
-    loading and range of adhesion, which people vary, can be read from the path.
+    the table of surfaces, so that two studies share equal files, and others coexist.
     """
 
     def __init__(self, plan: StudyPlan) -> None:
@@ -114,11 +113,6 @@ def any_name_pattern(names: Iterable[str]) -> str:
     return "|".join(map(re.escape, names)) or "(?!)"
 
 
-def list_pattern(expression: str) -> str:
-    """Return a regular expression of a list with plus signs between its values."""
-    return rf"{expression}(\+{expression})*"
-
-
 def wildcard_constraints(surfaces: Iterable[str]) -> dict[str, str]:
     """Return the regular expression that each wildcard must match."""
     radius = f"R{_NUMBER}um"
@@ -133,9 +127,9 @@ def wildcard_constraints(surfaces: Iterable[str]) -> dict[str, str]:
         "radius": radius,
         "loading": loading,
         "rho": rho,
-        "radii": list_pattern(radius),
-        "loadings": list_pattern(loading),
-        "ranges": list_pattern(rho),
+        "radii": rf"{radius}(\+{radius})*",
+        "loadings": rf"{loading}(\+{loading})*",
+        "ranges": rf"{rho}(\+{rho})*",
         "purpose": "|".join(PURPOSES),
         "settings_digest": "[0-9a-f]+",
         "digest": "[0-9a-f]+",

@@ -1,13 +1,10 @@
 """The settings of each kind of intermediate: all that its rule takes from the configuration.
 
 A path has a digest of these settings and of those of the kinds that the file is made from, so that
-a changed setting makes new files. Wildcards and the digest of the surface's row also stand in the
-path; from them and the table of surfaces follow all other parameters of these rules.
-
-Most kinds have the name of their attribute of `StorePatterns`. Forces on filtered masters have a
-kind for each of `PURPOSES`.
+a changed setting makes new files. Forces on filtered masters have a kind for each of `PURPOSES`.
 """
 
+import math
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -19,7 +16,7 @@ from hardcontact.config.configuration import (
     reading_arguments,
     study_contact,
 )
-from hardcontact.config.limits import master_megabytes, random_surface_pixels
+from hardcontact.config.limits import MAX_MAP_PIXELS
 from hardcontact.config.study_plan import StudyPlan
 from hardcontact.contact.numerical_limits import SHORT_ADHESION_RANGE, SHORTEST_WHOLE_RANGE
 from hardcontact.records.origin import short_value_digest
@@ -28,6 +25,18 @@ from hardcontact.surfaces.synthesis import SIDES
 #: Masters, or whole surfaces, in one job: few enough to keep all cores busy, but so many that a job
 #: takes much longer than its start, half a second.
 MASTERS_PER_JOB = 5
+#: Width of the periodic random surface from which a substitute is cut, in widths of the substitute.
+#: A real scan has waves longer than itself and does not continue at its borders; a larger surface
+#: would imitate this better, but takes more memory.
+RANDOM_SURFACE_WIDTH_RATIO = 4
+#: Bytes per pixel of a master when most memory is used: three maps in float32, or one map's
+#: transform in single precision and two maps. 13.2 were measured at 8192², and writing the file may
+#: need another map.
+BYTES_PER_PIXEL = 17.0
+#: Megabytes of Python, its packages, the scan, and blocks of rows in double precision.
+BASE_MEGABYTES = 500
+#: Megabytes of a job on small masters, with Snakemake beside it.
+MINIMUM_MEGABYTES = 3000
 
 
 class StoreKind(NamedTuple):
@@ -157,7 +166,7 @@ def _scan_contact_kinds(plan: StudyPlan) -> dict[str, StoreKind]:
 
 
 def _random_surface_kinds(study: Mapping[str, Any]) -> dict[str, StoreKind]:
-    """Return the kinds of contacts on random surfaces, whole ones and scans of the sets."""
+    """Return the kinds of contacts on whole random surfaces and on scans of the sets."""
     ranges = _all_ranges(study)
     # The posterior needs all ranges that whole surfaces permit, and only the paper's study has it.
     permitted_ranges = [rho for rho in ranges if rho >= SHORTEST_WHOLE_RANGE]
@@ -185,19 +194,20 @@ def _random_surface_kinds(study: Mapping[str, Any]) -> dict[str, StoreKind]:
 
 
 def _all_ranges(study: Mapping[str, Any]) -> list[float]:
-    """Return the ranges of adhesion at which forces are computed, that of the study among them."""
+    """Return the ranges of adhesion at which forces are computed."""
     return sorted({*study["adhesion"]["ranges"], study["adhesion"]["range"]})
 
 
 def _random_surface(study: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the settings of random surfaces, larger than the scans that are cut from them."""
+    """Return the settings of random surfaces from which scans are cut."""
     pixels, size = study["substitutes"]["pixels"], study["substitutes"]["size"]
-    scan_grid = {"pixels": pixels, "size": size, "surface_pixels": random_surface_pixels(pixels)}
+    surface_pixels = min(RANDOM_SURFACE_WIDTH_RATIO * pixels, MAX_MAP_PIXELS)
+    scan_grid = {"pixels": pixels, "size": size, "surface_pixels": surface_pixels}
     return {"seed": study["seed"], "scan_grid": scan_grid}
 
 
 def _substitute_settings(study: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the settings of substitutes, and the name of the one that has bumps or pits."""
+    """Return the settings of substitutes."""
     return _random_surface(study) | {"featured_surface": study["substitutes"]["featured_surface"]}
 
 
@@ -236,4 +246,5 @@ def _master_force_settings(study: Mapping[str, Any], purpose: Purpose) -> dict[s
 
 def largest_master_megabytes(settings: Mapping[str, Any]) -> int:
     """Return the memory (MB) of a job on the masters of a purpose, by the largest grid."""
-    return master_megabytes(max(side["pixels"] for side in settings["sides"].values()))
+    pixels: int = max(side["pixels"] for side in settings["sides"].values())
+    return max(MINIMUM_MEGABYTES, BASE_MEGABYTES + math.ceil(BYTES_PER_PIXEL * pixels**2 / 1e6))

@@ -12,7 +12,6 @@ import numpy as np
 import scipy
 import xarray as xr
 
-from hardcontact.base import published
 from hardcontact.base.arrays import Floats
 from hardcontact.base.units import DIMENSIONLESS, RAD_PER_NM
 from hardcontact.surfaces.height_map import HeightMap
@@ -140,7 +139,7 @@ def condition_batch(
     """
     amplitude_gain = np.ones_like(WAVEVECTORS)
     factors = np.ones(len(scan_numbers))
-    met_rows = published.split_row_names(substitute.spectrum_data.attrs["table1_rows_met"])
+    met_rows = substitute.spectrum_data.attrs["table1_rows_met"].split(",")
     if targets is not None:
         shares = _component_shares(substitute.grid)
         matrices = [

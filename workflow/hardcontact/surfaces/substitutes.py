@@ -70,7 +70,7 @@ class Substitute:
             # Waves up to four times the scan's width change its heights, although it is levelled.
             weights = scan_rms_weights(4 * grid.pixels, grid.pixel_size, grid.pixels)
             rms_values = expected_scan_rms(self.spectrum, weights)
-        calibrated_rows = published.split_row_names(self.spectrum_data.attrs["table1_rows_met"])
+        calibrated_rows = self.spectrum_data.attrs["table1_rows_met"].split(",")
         holds_on_grid = dict(zip(AFM_ROWS, (same_size, same_pixels, same_pixels), strict=True))
         met_rows = [row for row in AFM_ROWS if holds_on_grid[row] and row in calibrated_rows]
         for row in met_rows:

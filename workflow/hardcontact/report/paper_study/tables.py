@@ -11,7 +11,6 @@ import yaml
 
 from hardcontact.base.formatting import format_as_paper, is_unbounded
 from hardcontact.base.number import NumberStatus
-from hardcontact.base.published import split_row_names
 from hardcontact.paper.claims.selection import LARGER_PIXELS, WITHOUT_SCAN
 from hardcontact.paper.claims.verdicts import (
     BY_CONSTRUCTION,
@@ -139,7 +138,7 @@ def _format_computed(surface: xr.Dataset, variable: str, quantity: str, unit: fl
     if f"{variable}_mean" in surface:
         name, spread = f"{variable}_mean", surface[f"{variable}_std"].item() / unit
     value = surface[name].item() / unit
-    meets_by_construction = quantity in split_row_names(surface["table1_rows_met"].item())
+    meets_by_construction = quantity in surface["table1_rows_met"].item().split(",")
     mark = " †" if meets_by_construction and TABLE1_VARIABLES[quantity] == name else ""
     return _format_with_uncertainty(value, spread, _decimals_of(value, spread)) + mark
 
