@@ -21,8 +21,7 @@ import xarray as xr
 
 from hardcontact.base.statistics import Sampling
 from hardcontact.contact.contact import CONTACT_AXES
-from hardcontact.inference.edges import MEAN_GROUP
-from hardcontact.inference.edges_of_masters import edges_of_masters
+from hardcontact.inference.edges import MEAN_GROUP, edges_of_masters
 from hardcontact.inference.forces_on_masters import read_master_forces
 from hardcontact.paper.claims.band_quantities import band_edge, outermost_edge
 from hardcontact.paper.claims.verdicts import read_judged_claims

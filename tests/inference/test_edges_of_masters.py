@@ -5,7 +5,7 @@ import xarray as xr
 from known_masters import master_ratios
 
 from hardcontact.base.statistics import Sampling, interval_ends, student_log_interval
-from hardcontact.inference.edges_of_masters import edges_of_masters
+from hardcontact.inference.edges import edges_of_masters
 
 CUTOFFS = [10.0, 100.0, 1000.0, 10000.0]
 LONG = [np.nan, np.nan, 3.0, 1.0]

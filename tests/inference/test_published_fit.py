@@ -7,9 +7,8 @@ from known_forces import PUBLISHED_MEANS, RHOS, power_forces
 from paper_numbers import MEAN_FORCE, SUBSTRATES
 
 from hardcontact.base.statistics import Sampling
-from hardcontact.contact.force_interpolation import interpolate_to_ranges
 from hardcontact.inference import published_fit
-from hardcontact.inference.fit import best_fit, mean_relative_error
+from hardcontact.inference.fit import best_fit, interpolate_to_ranges, mean_relative_error
 from hardcontact.inference.published_fit import PublishedForces
 
 SAMPLING = Sampling(seed=1, sample_count=50, confidence=0.95)

@@ -10,9 +10,9 @@ from small_pool import CONTACT, HEIGHTS, RANGES, SUBSTITUTE, pool_of, raw_scan
 
 from hardcontact.base.arrays import generator
 from hardcontact.base.statistics import student_log_interval
-from hardcontact.contact.force_interpolation import spline_weights
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset
+from hardcontact.inference.fit import spline_weights
 from hardcontact.paper.pool import pool_rms_heights, scans_of_set
 from hardcontact.paper.sets import scale_to_sampled_mean
 from hardcontact.surfaces.height_map import mirror_scan

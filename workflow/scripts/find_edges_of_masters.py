@@ -2,8 +2,7 @@
 
 from hardcontact.base.dataset import read_dataset
 from hardcontact.base.statistics import Sampling
-from hardcontact.inference.edges import labelled_edges
-from hardcontact.inference.edges_of_masters import edges_of_masters
+from hardcontact.inference.edges import edges_of_masters, labelled_edges
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:

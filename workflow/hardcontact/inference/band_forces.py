@@ -20,10 +20,7 @@ BAND_PARTS = ("only the band", "no shorter waves", "no longer waves")
 
 
 def band_parts(surface: HeightMap, band: tuple[float, float]) -> list[HeightMap]:
-    """Return a periodic surface for each of BAND_PARTS.
-
-    A band keeps wavelengths from its shortest (included) to its longest (excluded), in nm.
-    """
+    """Return a periodic surface for each of BAND_PARTS; a band excludes its longest wavelength."""
     series = filtered_series(surface, "short", band, surface.pixels)
     band_and_longer, longer = (waves.heights for waves in series)
     part_heights = (band_and_longer - longer, band_and_longer, surface.heights - longer)
@@ -33,11 +30,7 @@ def band_parts(surface: HeightMap, band: tuple[float, float]) -> list[HeightMap]
 def band_force_dataset(
     surface: HeightMap, bands: Mapping[str, tuple[float, float]], compute_forces: ForcesOnSurface
 ) -> xr.Dataset:
-    """Return the forces on a surface with all roughness, and with parts of it (BAND_PARTS).
-
-    ``force`` (contact_y, contact_x) and ``band_force`` (band, band_part, contact_y, contact_x) are
-    in N at 1 J/m²; ``band_edge`` (band, side) has the edges of the bands in nm.
-    """
+    """Return the forces on a surface with all roughness, and with parts of it (BAND_PARTS)."""
     part_forces = [
         [compute_forces(surface_part) for surface_part in band_parts(surface, band)]
         for band in bands.values()
@@ -55,8 +48,7 @@ def band_force_dataset(
 def band_ratios(forces: xr.Dataset, scan_parts: ScanParts, confidence: float) -> xr.Dataset:
     """Return ``band_force_ratio`` (band, band_part): the force on a part relative to all roughness.
 
-    `forces` is the `band_force_dataset` of several surfaces, numbered along ``map``. Forces are
-    means over contacts and surfaces.
+    Forces, from `band_force_dataset`, are averaged over contacts and surfaces (``map``).
     """
     log_ratio, log_interval = log_force_ratio(
         forces["band_force"], forces["force"], scan_parts, confidence

@@ -3,9 +3,8 @@
 A curve (..., cutoff_wavelength) is the change of the force with the cutoff: ln(ratio) for a single
 surface, the mean of |ratio - 1| for several. The ratio is the force on filtered relative to
 unfiltered roughness. A curve's ``side`` is short if wavelengths below the cutoff are removed, long
-if those above it are. A curve is NaN at the cutoffs of the other side. A change between the
-lower and the upper of its `limits` does not count. Intervals come from `edges_of_masters`, if
-masters are independent, or from `edges_of_scans`, if masters share few scans.
+if those above it are. A curve is NaN at the cutoffs of the other side. A change between both
+`limits` does not count.
 """
 
 from enum import StrEnum
@@ -15,8 +14,8 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.arrays import Floats
-from hardcontact.base.statistics import ENDS
-from hardcontact.base.units import NM
+from hardcontact.base.statistics import ENDS, Sampling
+from hardcontact.base.units import DIMENSIONLESS, NM
 
 #: The label, along the dimension `group`, of the change averaged over all surfaces. The other
 #: groups are single surfaces.
@@ -45,10 +44,8 @@ def find_edges(
 ) -> xr.Dataset:
     """Return ``edge``, ``edge_bound`` (...) in nm and ``edge_status`` of curves.
 
-    A curve is linear in the logarithm of the cutoff, and zero at its spectrum end (nm), if known,
-    because nothing is removed there. An edge is open if no value is outside the limits, or if the
-    first value is and the spectrum end is not known. It is then NaN, and lies beyond its bound;
-    otherwise the bound is NaN.
+    A curve is linear in the logarithm of the cutoff, and zero at its spectrum end (nm), if known.
+    An open edge is NaN and lies beyond its bound; other edges have no bound.
     """
     lower, upper = limits
     # Variables have no labels, because aligning labels would take most of the time.
@@ -79,20 +76,14 @@ def find_edges(
 
 
 def _signed_cutoffs(curves: xr.DataArray) -> Any:
-    """Return the cutoffs of curves, negative on the long side, NaN where a curve is NaN.
-
-    The more roughness a filter removes, the larger is its signed cutoff on both sides.
-    """
+    """Return the cutoffs of curves, negative on the long side: they grow with what is removed."""
     is_short = curves["side"].variable == "short"
     cutoffs: Any = curves[CUTOFF].variable * (2 * is_short - 1)
     return cutoffs.where(curves.variable.notnull()).transpose(*curves.dims)
 
 
 def _first_and_last_before(signed_cutoffs: Any, mask: Any) -> tuple[Any, Any]:
-    """Return the first signed cutoff (...) at which a mask is true, and the last before it.
-
-    If the mask is nowhere true, the first is NaN, and the other the last of all.
-    """
+    """Return the first signed cutoff (...) at which a mask is true, or NaN, and the last before."""
     first = signed_cutoffs.where(mask).min(CUTOFF)
     return first, signed_cutoffs.where(~(signed_cutoffs >= first)).max(CUTOFF)
 
@@ -100,12 +91,10 @@ def _first_and_last_before(signed_cutoffs: Any, mask: Any) -> tuple[Any, Any]:
 def edge_intervals(
     curves: xr.DataArray, lowest: xr.DataArray, highest: xr.DataArray, limits: tuple[float, float]
 ) -> xr.Variable:
-    """Return the cutoffs (..., end) in nm between which edges lie.
+    """Return the cutoffs (..., end) in nm between which edges lie, NaN where there is no such end.
 
     Intervals of curves reach from `lowest` to `highest`. The ends are the last cutoff before an
-    interval reaches beyond the limits, and the first cutoff with an interval wholly outside. An end
-    is NaN if it lies beyond the cutoffs. Both are NaN if the first interval is wholly outside, or
-    if an interval is missing.
+    interval reaches beyond the limits, and the first cutoff with an interval wholly outside.
     """
     lower, upper = limits
     low, high = lowest.variable, highest.variable
@@ -121,11 +110,43 @@ def edge_intervals(
     return xr.Variable((*shorter.dims, "end"), abs(np.stack([shorter, longer], axis=-1)), NM)
 
 
-def edges_of_ratios(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
-    """Return the edges of ``filtered_force_ratio`` (..., cutoff_wavelength) of single surfaces.
+def edges_of_masters(
+    forces: xr.Dataset, tolerance: float, sampling: Sampling
+) -> tuple[xr.Dataset, xr.DataArray]:
+    """Return ratios and changes of the force on substitutes with their edges, and sampled edges.
 
-    If the ratios have intervals, so have the edges. A curve with ripples has no edge.
+    Each master has a scan of its own, unlike those of `edges_of_scans`. Sampled edges are (1 +
+    sample, ..., side, group). The first is the edge itself, NaN if it is open. In the others the
+    bound replaces an open edge.
     """
+    # The word "scales" is a part of the seed: another word would give other samples.
+    ratios = sampling.sample_means("scales", forces["filtered_force_ratio"], "realization")
+    ratios = ratios.transpose("sample", ..., "side", "surface", CUTOFF)
+    group_ratios = ratios.rename(surface="group")
+    changes = abs(group_ratios - 1)
+    # The mean over surfaces is that of |ratio - 1|, because signs would cancel.
+    mean_change = changes.mean("group", skipna=False).expand_dims(group=[MEAN_GROUP], axis=-2)
+    spectrum_ends = forces["spectrum_end"].rename(surface="group")
+    group_edges = [
+        find_edges(xr.ufuncs.log(group_ratios), logarithmic_limits(tolerance), spectrum_ends),
+        find_edges(mean_change, (-np.inf, tolerance), spectrum_ends.mean("group")),
+    ]
+    edges = xr.concat(group_edges, "group")
+    sampled_edges = edges["edge"].where(edges["sample"] == 0, edges_or_bounds(edges))
+    variables: dict[str, Any] = {}
+    for name, values, attributes in (
+        ("edge", sampled_edges, NM),
+        ("filtered_force_change", xr.concat([changes, mean_change], "group"), DIMENSIONLESS),
+        ("filtered_force_ratio", ratios, DIMENSIONLESS),
+    ):
+        dimensions = [str(dim) for dim in values.dims[1:]]
+        variables |= sampling.sampled_variables(name, dimensions, values.values, attributes)
+    result = edges.isel(sample=0, drop=True).assign_coords(ratios.coords).assign(variables)
+    return result, sampled_edges
+
+
+def edges_of_ratios(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
+    """Return the edges of ``filtered_force_ratio`` (..., cutoff_wavelength) of single surfaces."""
     ratio = ratios["filtered_force_ratio"]
     curves = xr.ufuncs.log(ratio)
     limits = logarithmic_limits(tolerance)
@@ -143,11 +164,10 @@ def edges_of_ratios(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
 
 
 def find_ripples(curves: xr.DataArray, limits: tuple[float, float]) -> xr.DataArray:
-    """Return whether ripples of the filter, not the roughness, change the force in curves.
+    """Return whether ripples of the filter, not the roughness, change the force in ln(ratio).
 
     Without its short waves a random surface has lower summits, so that the force rises. If the
-    force falls before it rises, the filter has made higher summits: ripples near steps. The curves
-    are ln(ratio). The long side has no ripples.
+    force falls before it rises, the filter has made higher summits: ripples near steps.
     """
     lower, upper = limits
     falls_at = curves[CUTOFF].where(curves < lower).min(CUTOFF)
@@ -178,7 +198,7 @@ def edges_or_bounds(edges: xr.Dataset) -> xr.DataArray:
 
 
 def mean_band(edges: xr.Dataset) -> tuple[float, float]:
-    """Return both edges (nm) of the change averaged over all surfaces, or their bounds."""
+    """Return both edges or bounds (nm) of the change averaged over all surfaces."""
     mean_edges = edges_or_bounds(edges).sel(group=MEAN_GROUP)
     return float(mean_edges.sel(side="short")), float(mean_edges.sel(side="long"))
 

@@ -1,7 +1,6 @@
-"""The edges of the band of the user's surfaces.
+"""The edges of the band of the user's surfaces, with intervals from parts of scans.
 
-Intervals come from parts of the scans, because the user's masters share few scans. In the paper's
-study each master has a scan of its own (`edges_of_masters`).
+The user's masters share few scans. In the paper's study each has its own (`edges_of_masters`).
 """
 
 from operator import truediv
@@ -30,8 +29,7 @@ def edges_of_scans(
 ) -> xr.Dataset:
     """Return the edges of the band of every surface and the force ratios, with intervals.
 
-    `forces` is filtered_forces.nc. The hindcast is hindcast.nc, or None if all surfaces are
-    substitutes. Its error widens intervals, and its forces on filtered scans reveal ripples.
+    `forces` is filtered_forces.nc, `hindcast` hindcast.nc, or None if all surfaces are substitutes.
     """
     ratios = summarize_masters(
         forces, master_scans, lambda masters: _ratios_of_masters(masters, confidence)
@@ -61,11 +59,8 @@ def _ratios_of_masters(master_forces: MasterForces, confidence: float) -> xr.Dat
 
 
 def _widen_ratios(ratios: xr.Dataset, hindcast_ratio: xr.DataArray) -> xr.Dataset:
-    """Return ratios whose intervals contain the error of artificial roughness.
-
-    The error of ln(ratio) is |ln(hindcast_ratio)| (surface, side), but at most |ln(ratio)|: where
-    the filter changes nothing, there is no error.
-    """
+    """Return ratios whose intervals contain the error of artificial roughness."""
+    # Where the filter changes nothing, there is no error.
     log_error = abs(np.log(hindcast_ratio.reindex(surface=ratios["surface"]).fillna(1)))
     log_ratio = abs(np.log(ratios["filtered_force_ratio"]))
     return widen_interval(ratios, "filtered_force_ratio", np.exp(np.minimum(log_error, log_ratio)))

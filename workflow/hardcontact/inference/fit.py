@@ -1,10 +1,12 @@
-"""Range and work of adhesion that fit measured forces best: the error of any pair, the best pair.
+"""Forces between the computed ranges, and the range and work that fit measured forces best.
 
-In all functions `mean_forces` (..., surface, rho) are computed at 1 J/m², and proportional to the
-work of adhesion. They are compared with `measured_forces` (surface,). Forces are in N.
+`mean_forces` (..., surface, rho), computed at 1 J/m², are proportional to the work of adhesion.
+They are compared with `measured_forces` (surface,). Forces are in N.
 """
 
 import numpy as np
+import xarray as xr
+from scipy.interpolate import make_interp_spline
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NM
@@ -20,6 +22,38 @@ WITHOUT_SURFACE = {
     "work_of_adhesion": "work_without_surface",
     "best_error": "error_without_surface",
 }
+
+
+def spline_weights(points: Floats, targets: Floats | float, *, extrapolate: bool = False) -> Floats:
+    """Return the weights (..., point) of a cubic spline through ascending points at targets (...).
+
+    They are NaN beyond the points unless `extrapolate` is True.
+    """
+    spline = make_interp_spline(points, np.eye(len(points)), k=min(3, len(points) - 1))
+    return np.asarray(spline(targets, extrapolate=extrapolate))
+
+
+def interpolate_to_ranges(
+    forces: Floats, computed_ranges: Floats, new_ranges: Floats | float
+) -> Floats:
+    """Return forces (..., rho) at new ranges by a cubic spline in log F and log rho; NaN beyond."""
+    weights = spline_weights(np.log(computed_ranges), np.log(new_ranges))
+    return np.asarray(np.exp(np.log(forces) @ weights.T))
+
+
+def interpolate_forces(forces: xr.DataArray, rho: float) -> xr.DataArray:
+    """Return forces (...) at one range, from forces with the dimension rho, by the same spline."""
+    interpolated: xr.DataArray = xr.apply_ufunc(
+        interpolate_to_ranges, forces, forces["rho"], rho, input_core_dims=[["rho"], ["rho"], []]
+    )
+    return interpolated
+
+
+def fine_ranges(ranges: Floats) -> Floats:
+    """Return FINE_RANGE_COUNT ranges from the shortest to the longest of the computed ranges."""
+    if len(ranges) == 1:
+        return ranges
+    return np.geomspace(ranges[0], ranges[-1], FINE_RANGE_COUNT)
 
 
 def mean_relative_error(mean_forces: Floats, measured_forces: Floats, works: Floats) -> Floats:
@@ -39,7 +73,7 @@ def fit_work(mean_forces: Floats, measured_forces: Floats) -> tuple[Floats, Floa
     """Return the work of adhesion (..., rho) in J/m² with the smallest error, and this error.
 
     The mean relative error is piecewise linear in the work, so that at its minimum the force on one
-    surface matches exactly. So the works at which one of the forces matches are compared.
+    surface matches exactly.
     """
     relative_forces = mean_forces / measured_forces[:, None]
     matching_works = 1 / relative_forces
@@ -48,13 +82,6 @@ def fit_work(mean_forces: Floats, measured_forces: Floats) -> tuple[Floats, Floa
         for surface in range(len(measured_forces))
     ]
     return minimum_along_axis(np.stack(errors, axis=-2), matching_works, axis=-2)
-
-
-def fine_ranges(ranges: Floats) -> Floats:
-    """Return FINE_RANGE_COUNT ranges from the shortest to the longest of the computed ranges."""
-    if len(ranges) == 1:
-        return ranges
-    return np.geomspace(ranges[0], ranges[-1], FINE_RANGE_COUNT)
 
 
 def best_fit(mean_forces: Floats, measured_forces: Floats, ranges: Floats) -> dict[str, Floats]:

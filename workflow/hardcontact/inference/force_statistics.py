@@ -12,12 +12,11 @@ from hardcontact.base.statistics import (
 )
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.contact import CONTACT_AXES
-from hardcontact.contact.force_interpolation import interpolate_forces
 from hardcontact.contact.pull_off import mean_over_contacts
+from hardcontact.inference.fit import interpolate_forces
 
-#: Statistics of the forces on one surface, with their attributes. The mean is over scans, and has
-#: Student's interval. The other statistics are of all single forces; their intervals come from the
-#: jackknife, which leaves out one scan at a time.
+#: Statistics of the forces on one surface, with their attributes. The mean has Student's interval.
+#: The others are of all single forces; their intervals come from the jackknife over scans.
 STATISTIC_ATTRS = {
     "mean_force_at_pair": NEWTON, "median_force_at_pair": NEWTON,
     "log_force_std": DIMENSIONLESS, "lognormal_median": NEWTON,
@@ -27,9 +26,7 @@ STATISTIC_ATTRS = {
 def sample_mean_forces(forces: xr.DataArray, sampling: Sampling) -> Floats:
     """Return mean forces (1 + sample, surface, rho) over all scans: the means, then their samples.
 
-    Forces (surface, scan, rho, ...) are in N, NaN for a missing scan. Samples are NaN for a surface
-    with a single scan. Random numbers of a study depend only on the surface, so contact models
-    share them.
+    Samples are NaN for a surface with a single scan. Contact models share random numbers.
     """
     scan_means = mean_over_contacts(forces)
     means = sampling.sample_means("adhesion", scan_means, "scan")
@@ -41,8 +38,7 @@ def statistics_at_pair(
 ) -> xr.Dataset:
     """Return STATISTIC_ATTRS and ``ratio_at_pair`` (surface) of one contact model at one pair.
 
-    The pair is a range in nm and a work of adhesion in J/m². The ratio is the mean force relative
-    to that on the reference surface.
+    The ratio is the mean force relative to that on the reference surface.
     """
     rho, work = pair
     pair_forces = interpolate_forces(forces, rho) * work
@@ -63,8 +59,7 @@ def statistics_at_pair(
 def force_statistics(forces: Floats, sampling: Sampling) -> tuple[Floats, Floats]:
     """Return STATISTIC_ATTRS (statistic,) of the forces on one surface, and intervals (..., 2).
 
-    Forces (scan, sphere_scan, contact) are in N, NaN for a missing scan. Intervals are NaN if
-    `sampling.sample_count` is 0.
+    Forces (scan, sphere_scan, contact) are in N, NaN for a missing scan.
     """
     is_finite = np.isfinite(forces)
     scan_count = int(is_finite.any(axis=(1, 2)).sum())

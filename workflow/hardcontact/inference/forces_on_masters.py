@@ -21,7 +21,7 @@ from hardcontact.surfaces.height_map import HeightMap
 
 
 class Filters(NamedTuple):
-    """The filters of one side, each of which is applied to the unfiltered master."""
+    """The filters of one side."""
 
     side: str  #: short: wavelengths below the cutoff are removed; long: wavelengths above it.
     pixels: int  #: Pixels per row of the filtered surfaces.
@@ -37,13 +37,6 @@ def filtered_pull_off(
     ranges: Sequence[float] | None = None,
 ) -> xr.Dataset:
     """Return the forces on a master, at each combination of radius, loading and range.
-
-    - ``unfiltered_pull_off_force`` (radius, loading, rho, contact_y, contact_x) in N at 1 J/m²;
-    - ``pull_off_force`` (cutoff_wavelength, radius, ...), likewise on each filtered surface;
-    - ``spectrum_end`` in nm: the shortest wavelength of the unfiltered master; on the long side the
-      longest;
-    - ``touching_area`` (loading) of the touching pixels in nm², at least one pixel;
-    - ``contact_area`` (loading), a coordinate: preload over hardness in nm², 0 in rigid contact.
 
     The loaded contacts differ in their loading alone. Radius and range are those of the first
     contact, unless `radii` and `ranges` are given.
@@ -92,8 +85,7 @@ def read_master_forces(
 ) -> xr.Dataset:
     """Read the datasets of `filtered_pull_off` (surface, realization, side, ...); add force ratios.
 
-    Each path belongs to the surface at its position. With a `loading`, radius and range must have a
-    single value, and the result has no dimensions of loading, radius and range.
+    With a `loading`, the result has no dimensions of loading, radius and range.
     """
     chunks = read_by_key([(name, number) for number, name in enumerate(surfaces)], paths)
     forces = stack(concatenate(chunks, "realization"), ["surface"])
@@ -106,8 +98,7 @@ def read_master_forces(
 def add_force_ratios(forces: xr.Dataset) -> xr.Dataset:
     """Return forces on masters, by growing cutoff, with the ratios of filtered to unfiltered means.
 
-    ``filtered_force_ratio`` (..., cutoff_wavelength) divides means over the contacts of a master.
-    It is NaN at cutoffs of the other side. ``spectrum_end`` loses the dimension of realizations.
+    Means are over the contacts of a master. ``spectrum_end`` loses the dimension of realizations.
     """
     forces = forces.sortby("cutoff_wavelength")
     filtered = forces["pull_off_force"].mean(CONTACT_AXES)
@@ -121,12 +112,10 @@ def add_force_ratios(forces: xr.Dataset) -> xr.Dataset:
 
 
 def add_spectrum_shifts(forces: xr.Dataset, sampled_forces: xr.Dataset) -> xr.Dataset:
-    """Return forces on masters, with the changes if the scans have another spectrum.
+    """Return forces on masters, with the changes of logarithms if the scans have another spectrum.
 
     `forces` are on masters of the most likely spectra, `sampled_forces` on masters of sampled ones,
-    with the same random numbers. ``log_ratio_shift`` and ``log_unfiltered_force_shift`` are the
-    changes of ln(``filtered_force_ratio``) and of the logarithm of the mean unfiltered force; NaN
-    without a sampled spectrum.
+    with the same random numbers.
     """
     force = forces["unfiltered_pull_off_force"].mean(CONTACT_AXES)
     sampled_force = sampled_forces["unfiltered_pull_off_force"].mean(CONTACT_AXES)

@@ -47,9 +47,7 @@ def forces_of_surface(
 ) -> SurfaceForces:
     """Return the mean forces of one surface and contact model.
 
-    Forces (scan, sphere_scan, rho, contact_y, contact_x) are in N, NaN where a scan is missing. The
-    size of a scan and the radius of the sphere are in nm; `touched_patches` comes from
-    `fewest_touched_patches`.
+    Forces (scan, sphere_scan, rho, contact_y, contact_x) are in N, NaN where a scan is missing.
     """
     scan_forces = forces.dropna("scan", how="all").mean("sphere_scan")
     scan_forces = scan_forces.transpose("scan", "rho", *CONTACT_AXES)
@@ -73,7 +71,7 @@ def forces_of_surface(
 def forces_by_surface(
     adhesion: xr.Dataset, scan_sizes: Mapping[str, float]
 ) -> dict[str, SurfaceForces]:
-    """Return the forces of each surface in one contact model; scan sizes are in nm."""
+    """Return the forces of each surface in one contact model."""
     radius = float(adhesion.attrs["sphere_radius"])
     return {
         name: forces_of_surface(
@@ -84,10 +82,11 @@ def forces_by_surface(
 
 
 def _position_variance(forces: xr.DataArray) -> Variance | None:
-    """Return the `position_variance` of SurfaceForces: that of one position, and of their mean."""
+    """Return the `position_variance` of SurfaceForces."""
     count = forces.sizes["sphere_scan"]
     if count < 2:
         return None
+    # The variance of one position and of the mean over positions.
     position_means = forces.mean(["scan", *CONTACT_AXES]).transpose("rho", "sphere_scan").values
     return Variance((1 + 1 / count) * np.log(position_means).var(axis=1, ddof=1), count - 1)
 
@@ -101,8 +100,7 @@ def position_half_width(surface_forces: SurfaceForces, confidence: float) -> Flo
 def mean_intervals(surface_forces: SurfaceForces, confidence: float) -> Floats:
     """Return the intervals (rho, 2) of the mean forces of one surface, in N.
 
-    A rough sphere touches at an unknown position of its scan: half widths of scan parts and of
-    positions add in squares.
+    Half widths add in squares: of scan parts, and of the unknown position of a rough sphere.
     """
     parts_at_ranges = zip(
         surface_forces.delete_one_log_means, surface_forces.scan_parts, strict=True
@@ -118,8 +116,7 @@ def mean_intervals(surface_forces: SurfaceForces, confidence: float) -> Floats:
 def logarithmic_interval(value: Floats, log_half_width: Floats) -> Floats:
     """Return the interval (..., 2) of a positive value from the half width of its logarithm.
 
-    An interval with a half width above MAX_BOUNDED_HALF_WIDTH becomes zero to infinity, which is no
-    bound: Student's t with one degree of freedom, from two realizations, can span any factor.
+    Above MAX_BOUNDED_HALF_WIDTH it is zero to infinity.
     """
     finite = value[..., None] * np.exp(np.stack([-log_half_width, log_half_width], axis=-1))
     return np.where((log_half_width > MAX_BOUNDED_HALF_WIDTH)[..., None], [0.0, np.inf], finite)
@@ -166,7 +163,7 @@ def select_masters(
 def summarize_masters(
     forces: xr.Dataset, master_scans: MasterScans, summary: Callable[[MasterForces], xr.Dataset]
 ) -> xr.Dataset:
-    """Return a summary of the forces of filtered_forces.nc, over surface and side."""
+    """Return a summary (surface, side, ...) of the forces of filtered_forces.nc."""
     summaries = {
         (surface, side): summary(select_masters(forces, surface, side, master_scans))
         for surface in forces.surface.values.tolist()
@@ -183,11 +180,8 @@ def half_width_over_masters(
 ) -> Floats:
     """Return the half width (...) of the interval of the logarithm of a mean over masters.
 
-    The statistic (realization, ...) takes the mean forces with and without a filter. Three
-    variances add: (1) the jackknife's over parts of scans; (2) if the parts are quarters, which
-    share their realizations, that of the mean over realizations; (3) if spectra were sampled, the
-    mean square of the variable `shift_name` (`forces_on_masters.add_spectrum_shifts`), because
-    another spectrum moves all realizations at once.
+    The statistic (realization, ...) takes the mean forces with and without a filter. `shift_name`
+    is a variable of `forces_on_masters.add_spectrum_shifts`.
     """
     forces, scan_parts = master_forces
 
@@ -205,10 +199,11 @@ def half_width_over_masters(
     variances = [jackknife_variance(delete_one_log_means, scan_parts)]
     count = forces.sizes["realization"]
     if scan_parts.are_quarters and count > 1:
+        # Quarters share their realizations.
         logarithms = np.log(contact_statistic(xr.DataArray(True)).values)
         variances.append(Variance(logarithms.var(axis=0, ddof=1) / count, count - 1))
     shifts = forces.get(shift_name)
     if shifts is not None and shifts.notnull().any():
-        # No mean of the shifts is subtracted, so that each is a degree of freedom.
+        # Another spectrum moves all realizations at once: no mean of the shifts is subtracted.
         variances.append(Variance((shifts**2).mean("realization").values, count))
     return interval_half_width(variances, confidence)

@@ -1,10 +1,8 @@
 """Ranges and works of adhesion that agree with the user's measured forces: fit.nc.
 
-Forces are proportional to the work of adhesion. So at each range rho a measured force F and a
-computed force f, at 1 J/m², agree for the work W = F/f(rho). One surface gives a curve W(rho);
-several give a region, the pairs within the intervals of all. `published_fit` has an error threshold
-instead, because the paper prints no intervals. Along ``rho`` are the computed ranges, along
-``rho_fine`` interpolated ones, too.
+At each range rho a measured force F and a computed force f, at 1 J/m², agree for the work
+W = F/f(rho). One surface gives a curve W(rho); several give a region, the pairs within the
+intervals of all. Along ``rho_fine`` are the computed ranges and interpolated ones.
 """
 
 from collections.abc import Mapping
@@ -24,8 +22,7 @@ from hardcontact.base.statistics import (
     percentile_interval,
 )
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, NM
-from hardcontact.contact.force_interpolation import interpolate_to_ranges
-from hardcontact.inference.fit import FIT_ATTRS, best_fit, fine_ranges
+from hardcontact.inference.fit import FIT_ATTRS, best_fit, fine_ranges, interpolate_to_ranges
 from hardcontact.inference.mean_forces import SurfaceForces, forces_by_surface
 from hardcontact.inference.measured_forces import sample_measured_mean, summarize_forces
 from hardcontact.inference.scan_parts import IntervalSource, sample_deviations
@@ -40,8 +37,8 @@ def fit_measured(
 ) -> xr.Dataset:
     """Return fit.nc: ranges and works of adhesion that agree with measured forces.
 
-    `adhesion` holds the computed forces, `force_table` the measured ones in N. Scan sizes (nm) and
-    the factors by which finer pixels may divide the force are by surface.
+    `adhesion` holds the computed forces, `force_table` the measured ones in N. Finer pixels may
+    divide the computed force of a surface by its factor.
     """
     tables = dict(list(force_table.groupby("surface")))
     surfaces = [name for name in adhesion["surface"].values.tolist() if name in tables]
@@ -79,8 +76,7 @@ def fit_measured(
 def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampling) -> Floats:
     """Return samples (sample, rho) of the mean forces of a surface in N at 1 J/m².
 
-    All ranges share random numbers. All surfaces share the random numbers of the position at which
-    a rough sphere touches, because the sphere is the same.
+    All ranges share random numbers. All surfaces share those of the position of the sphere.
     """
     count = sampling.sample_count
     parts_at_ranges = zip(
@@ -105,11 +101,7 @@ def _fit_contact_model(
     pixel_factors: Mapping[str, float],
     sampling: Sampling,
 ) -> xr.Dataset:
-    """Return the fit of one contact model to measured forces (1 + sample, surface) in N.
-
-    ``work_by_range`` (surface, rho_fine) is in J/m². ``region`` (rho_fine, end) is the lowest and
-    the highest work in J/m² that all surfaces allow, or NaN.
-    """
+    """Return the fit of one contact model to measured forces (1 + sample, surface) in N."""
     computed_ranges = next(iter(computed_forces.values())).ranges
     # The fine ranges include the computed ones, so that works at these are not interpolated.
     ranges = np.union1d(fine_ranges(computed_ranges), computed_ranges)
@@ -121,8 +113,7 @@ def _fit_contact_model(
     ]
     measured_means, measured_samples = measured_forces[0], measured_forces[1:]
     sampled_works = measured_samples[:, :, None] / np.stack(sampled_forces, axis=1)
-    # Finer pixels lower the computed force, so that the work may be higher by this factor: the high
-    # end of each interval moves.
+    # Finer pixels lower the computed force, so that the high end of the work rises.
     pixel_widening = np.array([[[1.0, pixel_factors[name]]] for name in computed_forces])
     # All intervals of n independent surfaces contain the true pair with the confidence c if each
     # has the confidence c^(1/n).
@@ -163,21 +154,16 @@ def _common_region(intervals: Floats) -> Floats:
 
 
 def _best_pair(force_curves: Floats, measured_forces: Floats, ranges: Floats) -> dict[str, Any]:
-    """Return the `best_fit` of mean forces (surface, rho_fine), and how many pairs fit exactly.
-
-    One surface has no best range, so that the best fit is NaN. Two unknowns may fit the forces on
-    two surfaces exactly; ``best_error`` is then NaN, because the remaining error comes from the
-    grid of ranges.
-    """
+    """Return the `best_fit` of mean forces (surface, rho_fine), and how many pairs fit exactly."""
     fit = best_fit(force_curves, measured_forces, ranges)
     exact_pairs = 0
-    if len(force_curves) == 1:
+    if len(force_curves) == 1:  # A surface has no best range.
         fit = {name: np.array(np.nan) for name in fit}
     if len(force_curves) == 2:
         first_work, second_work = measured_forces[:, None] / force_curves
         # A pair fits exactly where the curves of work cross.
         exact_pairs = int(np.count_nonzero(np.diff(second_work > first_work)))
-    if exact_pairs:
+    if exact_pairs:  # The remaining error comes from the grid of ranges.
         fit["best_error"] = np.array(np.nan)
     variables = {name: ((), fit[name], attributes) for name, attributes in FIT_ATTRS.items()}
     return variables | {"exact_pairs": ((), exact_pairs, DIMENSIONLESS)}
@@ -186,8 +172,8 @@ def _best_pair(force_curves: Floats, measured_forces: Floats, ranges: Floats) ->
 def _region_extent(region: Floats, ranges: Floats) -> dict[str, Any]:
     """Return the lowest and the highest range and work of adhesion in a region (rho_fine, 2).
 
-    A region that reaches the shortest or longest computed range may extend beyond: its range is NaN
-    at this end, and its work at both.
+    If a region may extend beyond the computed ranges, its range is NaN at this end, its work at
+    both.
     """
     allowed = np.flatnonzero(np.isfinite(region).all(axis=-1))
     region_range, region_work = np.full(2, np.nan), np.full(2, np.nan)
@@ -206,9 +192,7 @@ def _region_extent(region: Floats, ranges: Floats) -> dict[str, Any]:
 def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
     """Return a fit to measured forces with the work of adhesion from extrapolated roughness.
 
-    ``extrapolated_work`` (surface, side) in J/m² holds at the range ``rho`` of force.nc, the only
-    range at which forces on masters are computed. The errors of the logarithms of both forces add
-    in squares.
+    ``extrapolated_work`` (surface, side) holds at the range ``rho`` of `force`, which is force.nc.
     """
     surface_force = force.sel(surface=fitted.surface)
     computed_force = surface_force.extrapolated_force / force.attrs["work_of_adhesion"]

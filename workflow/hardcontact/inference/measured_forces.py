@@ -28,13 +28,13 @@ class ForceSummary(NamedTuple):
 def summarize_forces(forces: pd.DataFrame) -> ForceSummary:
     """Return mean and scatter of one surface's rows of the table of measured forces.
 
-    Forces at one site are one sample, their mean; a force without a site has its own. A single row
-    with mean and median of many forces does not tell their sites, so each force counts as a site.
+    Forces at one site are one sample, their mean; a force without a site has its own.
     """
     force_count = int(forces["count"].sum())
     if len(forces) == 1:
         mean, median = float(forces["mean"].iloc[0]), forces["median"].iloc[0]
         log_std = float(log_std_of_lognormal(mean, median)) if force_count > 1 else np.nan
+        # A row does not tell the sites of its forces.
         return ForceSummary(mean, log_std, site_count=force_count, force_count=force_count)
     has_site = forces["site"] != ""
     sites = forces["site"].where(has_site, forces.index)
@@ -47,9 +47,8 @@ def summarize_forces(forces: pd.DataFrame) -> ForceSummary:
 def look_repeated(forces: pd.DataFrame) -> bool:
     """Return whether forces on one surface without sites look as if several share a site.
 
-    True if at most half of the values are distinct, or if von Neumann's ratio is significantly
-    below one, its value for independent forces, at some lag of rows. The ratio is half the mean
-    squared difference of ln F at this lag, relative to the variance of ln F.
+    Then few values are distinct, or von Neumann's ratio at some lag of rows is below one, its value
+    for independent forces: half the mean squared difference of ln F, over the variance of ln F.
     """
     logs = np.log(forces["mean"].to_numpy(float))
     if (forces["site"] != "").any() or len(logs) < 3:
@@ -66,11 +65,10 @@ def look_repeated(forces: pd.DataFrame) -> bool:
 def sample_measured_mean(
     rng: np.random.Generator, summary: ForceSummary, sample_count: int
 ) -> np.ndarray:
-    """Return the mean force in N, then samples of what the true mean may be (1 + sample,).
+    """Return the mean force in N, then samples of the true mean (1 + sample,), NaN for one site.
 
-    Samples are around the arithmetic mean. They deviate as the mean of ln F plus half its variance
-    does for a log-normal F (Krishnamoorthy and Mathew, J. Stat. Plan. Inference 115 (2003)
-    103). They are NaN for one site, because its scatter is unknown.
+    Samples deviate as the mean of ln F plus half its variance does for a log-normal F
+    (Krishnamoorthy and Mathew, J. Stat. Plan. Inference 115 (2003) 103).
     """
     if summary.site_count < 2:
         return np.append(summary.mean, np.full(sample_count, np.nan))

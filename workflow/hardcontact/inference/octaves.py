@@ -1,6 +1,6 @@
 """The sensitivity d ln F / d ln a of the mean force F to the amplitude a of each octave of waves.
 
-The amplitude of one octave is changed, up and down, on the same surface. The ratio of both forces
+The amplitude of one octave is raised and lowered on the same surface: the ratio of both forces
 scatters little, because all other waves are the same.
 """
 
@@ -30,7 +30,7 @@ from hardcontact.surfaces.height_map import HeightMap
 #: Limits of octaves in nm, from 0.08 nm to 1.3 mm: all wavelengths of spectra.
 OCTAVE_LIMITS: Floats = np.ldexp(10.0, np.arange(-7, 18))
 #: Relative change of an amplitude. With smaller steps single contact pixels would decide; with
-#: larger ones the error of the central difference grows, as the square of the step.
+#: larger ones the error of the central difference grows.
 AMPLITUDE_STEP = 0.05
 #: Factors on the amplitude of an octave.
 AMPLITUDE_FACTORS = (1 - AMPLITUDE_STEP, 1 + AMPLITUDE_STEP)
@@ -53,11 +53,7 @@ def split_octaves(surface: HeightMap, limits: Sequence[float] | Floats) -> Itera
 def octave_force_dataset(
     surface: HeightMap, limits: Sequence[float] | Floats, compute_forces: ForcesOnSurface
 ) -> xr.Dataset:
-    """Return ``octave_force`` with one octave multiplied by each of AMPLITUDE_FACTORS.
-
-    The forces (octave, factor, contact_y, contact_x) are in N at 1 J/m². The coordinate ``octave``
-    is the shortest wavelength of an octave in nm, the attribute ``period`` that of the surface.
-    """
+    """Return ``octave_force`` with one octave multiplied by each of AMPLITUDE_FACTORS."""
     changed_surface = replace(surface, heights=np.empty_like(surface.heights))
 
     def force(octave: HeightMap, factor: float) -> Floats:
@@ -88,10 +84,7 @@ def whole_surface_forces(surface: HeightMap, contact: Contact, ranges: list[floa
 
 
 def strongest_octaves(sensitivity: xr.Dataset) -> Iterator[Number]:
-    """Yield the octaves whose amplitudes change the force most, and by how much.
-
-    ``octave_1`` is the shortest wavelength of the strongest octave. Octaves with NaN do not count.
-    """
+    """Yield the octaves whose amplitudes change the force most, and by how much."""
     finite = sensitivity.dropna("octave", subset=["octave_sensitivity"])
     strongest = np.argsort(-np.abs(finite["octave_sensitivity"].values))[:NAMED_OCTAVE_COUNT]
     for rank, index in enumerate(strongest, start=1):
@@ -107,8 +100,7 @@ def octave_sensitivities(
 ) -> xr.Dataset:
     """Return ``octave_sensitivity`` (octave): a central difference of logarithms of mean forces.
 
-    `forces` joins results of `octave_force_dataset` along ``map``, which numbers whole surfaces or
-    scans. Their width, the attribute ``map_size`` in nm, becomes a variable.
+    `forces` joins results of `octave_force_dataset` along ``map``.
     """
     octave_force = forces["octave_force"]
     weak, strong = (octave_force.sel(factor=factor, drop=True) for factor in AMPLITUDE_FACTORS)

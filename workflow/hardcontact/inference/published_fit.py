@@ -1,8 +1,7 @@
 """Range and work of adhesion that fit published mean pull-off forces, for fit.nc.
 
-Forces are computed at 1 J/m², because they are proportional to the work of adhesion. Statistics of
-forces are given for two pairs of range and work, the published and the fitted one. A pair fits if
-its error is below the paper's threshold; `measured_fit` uses intervals of the forces instead.
+A pair of range and work fits if its error is below the paper's threshold; `measured_fit` uses
+intervals of the forces instead.
 """
 
 from pathlib import Path
@@ -20,7 +19,6 @@ from hardcontact.base.published import read_constants, read_published_forces
 from hardcontact.base.statistics import Sampling, as_variables, student_log_interval
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, NM
 from hardcontact.contact.contact import PLASTIC, RIGID
-from hardcontact.contact.force_interpolation import interpolate_to_ranges
 from hardcontact.contact.pull_off import mean_over_contacts
 from hardcontact.inference.fit import (
     FIT_ATTRS,
@@ -28,6 +26,7 @@ from hardcontact.inference.fit import (
     best_fit,
     fine_ranges,
     fit_work,
+    interpolate_to_ranges,
     mean_relative_error,
 )
 from hardcontact.inference.force_statistics import sample_mean_forces, statistics_at_pair
@@ -43,7 +42,7 @@ MAX_MINIMA = 3
 #: Variables of the best fit, and the range that fits the ratios of forces best.
 FITTED_ATTRS = FIT_ATTRS | {"range_from_ratios": NM}
 
-#: Fitted variables with samples, by the end of the samples' name ``sampled_...``.
+#: Fitted variables with samples, by the end of the name ``sampled_...``.
 SAMPLED_FITS = {"range": "range_of_adhesion", "work": "work_of_adhesion", "error": "best_error"}
 
 
@@ -65,11 +64,7 @@ class PublishedForces(NamedTuple):
 def fit_published(
     adhesion: xr.Dataset, published: PublishedForces, reference_surface: str, sampling: Sampling
 ) -> xr.Dataset:
-    """Return the fit of range and work for every contact model, with statistics at both PAIRS.
-
-    `adhesion` is adhesion.nc. ``model_error_ratio`` is the smallest error of rigid
-    contact relative to plastic contact.
-    """
+    """Return the fit to adhesion.nc for every contact model, with statistics at both PAIRS."""
     surfaces = adhesion.surface.values.tolist()
     published_forces = published.forces.mean_force.loc[surfaces].to_numpy()
     reference_index = surfaces.index(reference_surface)
@@ -113,8 +108,8 @@ def fit_contact_model(
 ) -> xr.Dataset:
     """Return the fit of range and work for one contact model, its errors, and the mean forces.
 
-    Mean forces are (surface, rho), errors at the interpolated ranges ``rho_fine``. Forces (surface,
-    scan, sphere_scan, rho, contact_y, contact_x) are in N at 1 J/m², NaN for a missing scan.
+    Forces (surface, scan, sphere_scan, rho, contact_y, contact_x) are in N at 1 J/m², NaN for a
+    missing scan.
     """
     ranges = fine_ranges(forces.rho.values)
     means = sample_mean_forces(forces, sampling)
@@ -167,10 +162,7 @@ def _fitted_variables(
 def _fits_without_surface(
     force_curves: Floats, published_forces: Floats, ranges: Floats
 ) -> dict[str, Any]:
-    """Return the best pairs (left_out,) without each surface, under the names of WITHOUT_SURFACE.
-
-    The force curves are (surface, rho_fine).
-    """
+    """Return the variables of WITHOUT_SURFACE (left_out,): the best pair without each surface."""
     are_kept = ~np.eye(len(published_forces), dtype=bool)
     fits = [best_fit(force_curves[kept], published_forces[kept], ranges) for kept in are_kept]
     return {
@@ -212,8 +204,7 @@ def local_minima(errors: Floats, count: int) -> NDArray[np.int_]:
 def ratio_errors(computed_forces: Floats, published_forces: Floats, reference_index: int) -> Floats:
     """Return the mean relative errors (..., rho) of force ratios to a reference surface.
 
-    The work of adhesion cancels in the ratios. Computed forces are (..., surface, rho), published
-    forces (surface,).
+    Computed forces are (..., surface, rho), published forces (surface,).
     """
     ratios = computed_forces / computed_forces[..., [reference_index], :]
     published_ratios = (published_forces / published_forces[reference_index])[:, None]

@@ -17,8 +17,7 @@ from hardcontact.base.statistics import (
 )
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES, CONTACT_MODELS, PLASTIC, RIGID
-from hardcontact.inference.edges import find_edges, logarithmic_limits
-from hardcontact.inference.edges_of_masters import edges_of_masters
+from hardcontact.inference.edges import edges_of_masters, find_edges, logarithmic_limits
 
 #: Labels of the exponents against the roots of the sphere's radius and of the area in contact.
 SCALED_QUANTITIES = ["radius", "contact"]

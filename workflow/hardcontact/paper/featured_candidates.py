@@ -16,7 +16,7 @@ from hardcontact.base.progress import progress
 from hardcontact.base.statistics import log_std_of_lognormal
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
-from hardcontact.contact.force_interpolation import interpolate_forces
+from hardcontact.inference.fit import interpolate_forces
 from hardcontact.inference.published_fit import PublishedForces
 from hardcontact.paper.pool import smooth_sphere_forces
 from hardcontact.surfaces.features import (

@@ -15,9 +15,9 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.progress import progress
 from hardcontact.base.units import DIMENSIONLESS, NEWTON, NM
 from hardcontact.contact.contact import CONTACT_AXES, Contact
-from hardcontact.contact.force_interpolation import spline_weights
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset
+from hardcontact.inference.fit import spline_weights
 from hardcontact.surfaces.conditioning import scale_rms_heights
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 from hardcontact.surfaces.levelling import level_plane

@@ -19,8 +19,7 @@ from hardcontact.base.statistics import (
     percentile_interval,
 )
 from hardcontact.base.units import JOULE_PER_M2, NM
-from hardcontact.contact.force_interpolation import interpolate_to_ranges
-from hardcontact.inference.fit import fine_ranges
+from hardcontact.inference.fit import fine_ranges, interpolate_to_ranges
 
 #: Number of independent forces in a published mean. The paper used at least six spheres; tests with
 #: the same sphere share its summits, so that each sphere counts as a single test.

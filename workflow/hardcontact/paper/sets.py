@@ -19,7 +19,7 @@ from hardcontact.base.statistics import Sampling, student_log_samples
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.contact.pull_off import mean_over_contacts
-from hardcontact.inference.edges_of_masters import edges_of_masters
+from hardcontact.inference.edges import edges_of_masters
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.published_fit import PublishedForces, fit_published
 from hardcontact.paper.claims.judgement import claim_values

@@ -1,13 +1,9 @@
 """The pull-off force of a sphere on a Gaussian surface, in closed form from the surface's spectrum.
 
-The force relative to the force of DMT, 2 pi R W, has three terms, averaged over positions:
-
-1. surface term: the attraction of all points below the sphere,
-2. summit term: the attraction of the summits that touch,
-3. contact term: the attraction of the area in contact.
-
-This is Eq. (1) of workflow/report/theory.md (The mean force), which derives it. Summits (`summits`)
-are rough themselves: the same equation gives the force on a rough relative to a smooth summit.
+The force relative to the force of DMT, 2 pi R W, has three terms, averaged over positions: the
+attraction of all points below the sphere (surface term), of the summits that touch (summit term),
+and of the area in contact (contact term). workflow/report/theory.md (The mean force) derives them.
+Summits (`summits`) are rough themselves: the same terms give their roughness.
 """
 
 from dataclasses import dataclass, replace
@@ -31,8 +27,8 @@ from hardcontact.theory.summits import (
     spectrum_between,
 )
 
-#: Share of the force on a smooth surface above which a surface counts as smooth; both forces are
-#: without the area in contact.
+#: Share of the force on a smooth surface, without the area in contact, above which a surface counts
+#: as smooth.
 SMOOTH_SHARE = 0.9
 #: Largest number of nested generations: summits on summits on the surface.
 MAX_GENERATIONS = 8
@@ -69,10 +65,7 @@ def contact_term(contact: Contact) -> float:
 
 
 def wide_contact_message(contact: Contact) -> str:
-    """Return a message if the contact area alone attracts as strongly as a smooth sphere, or "".
-
-    It names the largest preload (N) that is valid.
-    """
+    """Return a message if the contact area alone attracts as strongly as a smooth sphere, or ""."""
     share = contact_term(contact)
     if share < 1:
         return ""
@@ -89,10 +82,7 @@ def smooth_force(contact: Contact) -> float:
 
 
 def surface_term(apex_level: ArrayLike, relative_rms: ArrayLike) -> Floats:
-    """Return the surface term, exp(s²/2 - ts) times the normal distribution at t - s.
-
-    The level t of the apex and the rms height s relative to the range of adhesion broadcast.
-    """
+    """Return the surface term, exp(s²/2 - ts) times the normal distribution at t - s."""
     t = np.asarray(apex_level)
     s = np.asarray(relative_rms)
     return np.asarray(np.exp(s**2 / 2 - t * s + special.log_ndtr(t - s)))
@@ -129,10 +119,7 @@ def _mean_terms(
     rough_close_points: bool,
     generations: int = MAX_GENERATIONS,
 ) -> tuple[float, float]:
-    """Return the surface term and the summit term, averaged over levels of the apex.
-
-    The roughness of a summit follows from the same terms, up to a number of generations of summits.
-    """
+    """Return the surface term and the summit term, averaged over levels of the apex."""
     relative_rms = np.sqrt(spectral_moment(spectrum, 0)) / contact.rho
     summit_ratio = 1.0
     summit = _roughness_on_summit(spectrum, apex, contact)
@@ -150,10 +137,7 @@ def _mean_terms(
 
 
 def _close_share(apex: ApexDistribution, relative_rms: float) -> Floats:
-    """Return the share (n,) of attraction by points with a gap below the mean height of a summit.
-
-    They lie on summits, whose roughness weakens their attraction, too (theory.md, Close points).
-    """
+    """Return the share (n,) of attraction by points on summits (theory.md, Close points)."""
     summit_height = 1 / max(apex.mean(), 1.0)  # relative to the rms height
 
     def both_terms(level: Floats) -> Floats:
@@ -166,9 +150,9 @@ def _close_share(apex: ApexDistribution, relative_rms: float) -> Floats:
 def _roughness_on_summit(
     spectrum: Spectrum, apex: ApexDistribution, contact: Contact
 ) -> tuple[Spectrum, Contact] | None:
-    """Return the spectrum of the roughness on a touching summit, and the contact of this summit.
+    """Return the spectrum on a touching summit and its contact, or None if it is hardly rough.
 
-    None if this roughness is negligible. `theory.md` (Rough summits) has the reasons.
+    theory.md (Rough summits) has the reasons.
     """
     lowest = 2 * np.pi / (MAX_WAVELENGTH_PER_HALF_WIDTH * apex.half_width)
     summit_spectrum = spectrum_between(spectrum, lowest, np.inf)
@@ -193,15 +177,14 @@ def filtered_spectrum(spectrum: Spectrum, side: str, cutoff: float) -> Spectrum:
 def critical_band(spectrum: Spectrum, contact: Contact, tolerance: float) -> tuple[float, float]:
     """Return the short and the long edge (nm) of the band of wavelengths that decide the force.
 
-    Without the wavelengths beyond an edge, the force changes by the tolerance; NaN if no cutoff
-    does this. Close points lie on smooth summits here, because rough ones improve forces on
-    held-out surfaces, but not edges.
+    An edge is NaN if no cutoff changes the force by the tolerance.
     """
     wavelengths = spectrum.wavelength[spectrum.density > 0]
     if not len(wavelengths):
         return np.nan, np.nan
     cutoffs = np.geomspace(wavelengths[-1], wavelengths[0], CUTOFF_COUNT)
     limits = logarithmic_limits(tolerance)
+    # Rough close points improve forces on held-out surfaces, but not edges.
     unfiltered = closed_form(spectrum, contact, rough_close_points=False).dmt_ratio
 
     def edge_of_side(side: str, side_cutoffs: Floats) -> float:

@@ -1,8 +1,4 @@
-"""Predictions of the closed form for a spectrum: numbers with units, intervals and statuses.
-
-Their errors come from the designed surfaces that were held out while the closed form was developed
-(`validity.held_out_surfaces`).
-"""
+"""Predictions of the closed form for a spectrum: numbers with units, intervals and statuses."""
 
 import math
 from collections.abc import Iterator, Mapping
@@ -54,10 +50,8 @@ def prediction(
 ) -> dict[str, Number]:
     """Predict the pull-off force and both edges of a sphere on a rough surface, in closed form.
 
-    ``extrapolated_force`` is the force of the extrapolated spectrum. If the error is not known,
-    intervals are NaN, and the force and its edges are OUTSIDE. For scans with steep sidewalls the
-    force has no value, and there are no edges. Raises ValueError if `trim_spectrum` refuses the
-    spectrum; messages call it `name`.
+    If the error is not known, intervals are NaN, and force and edges are OUTSIDE. Raises ValueError
+    if `trim_spectrum` refuses the spectrum; messages call it `name`.
     """
     trimmed = trim_spectrum(spectrum, name)
     inputs = _input_numbers(trimmed, contact, tolerance)
@@ -149,7 +143,7 @@ def _input_numbers(spectrum: Spectrum, contact: Contact, tolerance: float) -> li
 def _spectrum_checks(
     spectrum: Spectrum, contact: Contact, form: ClosedForm, skewness: float
 ) -> list[Number]:
-    """Return the checks of a spectrum: all are NEGLIGIBLE if its assumptions hold."""
+    """Return the checks of a spectrum: all are NEGLIGIBLE if the assumptions hold."""
     gap = float((spectrum.wavevector[1:] / spectrum.wavevector[:-1]).max())
     gap_status = Effect.UNKNOWN if gap > MAX_WAVELENGTH_RATIO else Effect.NEGLIGIBLE
     skewness_status = Effect.MATTERS if abs(skewness) > MAX_SKEWNESS else Effect.NEGLIGIBLE
@@ -183,10 +177,7 @@ def _force_number(name: str, form: ClosedForm, point: KnownPoint) -> Number:
 
 
 def _edge_numbers(prefix: str, band: tuple[float, float], point: KnownPoint) -> Iterator[Number]:
-    """Yield the edges (nm) of a band, named by a prefix and EDGE_NAMES, with their intervals.
-
-    An edge is OUTSIDE if its error is not known, as the force is, and NO_EDGE if it is NaN.
-    """
+    """Yield the edges (nm) of a band, named by a prefix and EDGE_NAMES, with their intervals."""
     finite_status = Validity.OUTSIDE if point is None else EdgeStatus.FOUND
     for name, edge in zip(EDGE_NAMES, band, strict=True):
         interval = _validated_interval(name, edge, point)
@@ -204,11 +195,7 @@ class _Extrapolation(NamedTuple):
 
 
 def _extrapolate(spectrum: Spectrum, trimmed: Spectrum) -> _Extrapolation | None:
-    """Return the extrapolation of a spectrum; None if it is not known.
-
-    The extrapolation of scans was computed with their spectrum. A table with fewer than MIN_BINS
-    densities, or with a zero at its short end or within, has no extrapolation.
-    """
+    """Return the extrapolation of a spectrum; None if it is not known."""
     if isinstance(spectrum, ScanSpectrum):
         ends = spectrum.joined_dataset.attrs
         if not ends["tail_known"]:

@@ -1,18 +1,14 @@
 """The highest summits under a sphere: their height, width and number, from a spectrum alone.
 
-A summit is a group of neighbouring points above a high level. Fine roughness adds maxima to a
-summit, but no summits. A level t is a height above the mean plane relative to the rms height sigma:
-of points, of summits, or of the apex of the sphere, which the highest summits touch.
+A summit is a group of neighbouring points above a high level. A level t is a height above the mean
+plane relative to the rms height sigma: of points, of summits, or of the apex of the sphere.
 
 A summit covers the area pi delta² on average. Its half-width delta is the distance over which the
-autocorrelation of heights falls to (1 - 1/t²) sigma². The density of summits is the share of points
-above the level, divided by this area. It equals Nayak's density on a smooth surface (J. Lubr.
-Technol. 93 (1971) 398) and, up to a constant, Pickands' density with fine roughness (Trans. Am.
-Math. Soc. 145 (1969) 51).
-
-High summits are independent (Aldous, Probability Approximations via the Poisson Clumping Heuristic,
-1989), so that the number of summits above a sphere has a Poisson distribution.
-workflow/report/theory.md (The distribution of forces) has the equations.
+autocorrelation of heights falls to (1 - 1/t²) sigma². The density of summits is Nayak's on a smooth
+surface (J. Lubr. Technol. 93 (1971) 398) and, up to a constant, Pickands' with fine roughness
+(Trans. Am. Math. Soc. 145 (1969) 51). High summits are independent (Aldous, Probability
+Approximations via the Poisson Clumping Heuristic, 1989), so that their number has a Poisson
+distribution. workflow/report/theory.md (The distribution of forces) has the equations.
 """
 
 from typing import NamedTuple
@@ -36,10 +32,10 @@ MIN_SUBTRACTED_PROBABILITY = 1e-3
 #: Logarithm of a probability that is lost when it is added to one: e^-45 is 3e-20.
 LOG_NEGLIGIBLE_PROBABILITY = -45.0
 #: Summits at lower levels have the width of summits at this level, because such low points form no
-#: separate groups. Chosen: resources/validation/README.md says what other values would change.
+#: separate groups. resources/validation/README.md says what other values would change.
 LOWEST_SUMMIT_LEVEL = 1.2
-#: A sphere follows the longest waves, up to this ratio of their rms curvature to 1/R. It was chosen
-#: like LOWEST_SUMMIT_LEVEL.
+#: A sphere follows the longest waves, up to this ratio of their rms curvature to 1/R. Chosen like
+#: LOWEST_SUMMIT_LEVEL.
 MAX_FOLLOWED_CURVATURE = 0.1
 
 
@@ -68,10 +64,7 @@ def spectrum_between(spectrum: Spectrum, lowest: float, highest: float) -> Spect
 
 
 def find_rough_spectrum(spectrum: Spectrum, radius: float) -> Spectrum | None:
-    """Return the spectrum of the waves that a sphere does not follow; None if it follows all.
-
-    Waves that are much flatter than the sphere lift it, and are no roughness for it.
-    """
+    """Return the spectrum of the waves that a sphere does not follow; None if it follows all."""
     resampled = spectrum_between(spectrum, 0, np.inf)
     if resampled is None:
         return None
@@ -100,8 +93,7 @@ def summit_half_width(spectrum: Spectrum, levels: ArrayLike) -> Floats:
 def apex_distribution(spectrum: Spectrum, radius: float, area: float) -> ApexDistribution:
     """Return the distribution of the level of the apex of a sphere with an area (nm²) in contact.
 
-    The sphere sinks until the summits above it, as in `summits_above`, fill the area: preload over
-    hardness.
+    The sphere sinks until the summits above it fill the area.
     """
     half_widths, counts, bearing_areas = summits_above(spectrum, radius)
     # No summit rises above the last level, so pi delta² stands for the mean area of a summit there.
@@ -118,8 +110,7 @@ def apex_distribution(spectrum: Spectrum, radius: float, area: float) -> ApexDis
 def summits_above(spectrum: Spectrum, radius: float) -> tuple[Floats, Floats, Floats]:
     """Return half-width, mean number and mean total area of summits above a sphere at LEVELS: (n,).
 
-    These summits rise above the lower side of the sphere, whose apex is at the level. Number and
-    area (nm²) are Lambda and B in theory.md.
+    Number and area (nm²) are Lambda and B in theory.md.
     """
     half_widths = summit_half_width(spectrum, LEVELS)
     share_above = special.ndtr(-LEVELS)
@@ -137,12 +128,12 @@ def search_size(spectrum: Spectrum, radius: float, area: float) -> float:
 
     At the distance r from the apex the sphere is r²/2R higher, and heights above it are rarer by
     exp(-t r²/(2 R sigma)). Touching points therefore have the rms distance sqrt(2 R sigma/t), half
-    the width. A mean level t of the apex below 1 counts as 1, because the width would grow without
-    bound at level 0. The width is 0 if the sphere follows the surface.
+    the width.
     """
     rough_spectrum = find_rough_spectrum(spectrum, radius)
     if rough_spectrum is None:
         return 0.0
+    # The width would grow without bound at level 0.
     apex_level = max(apex_distribution(rough_spectrum, radius, area).mean(), 1.0)
     return float(2 * np.sqrt(2 * radius * np.sqrt(spectral_moment(rough_spectrum, 0)) / apex_level))
 
@@ -156,15 +147,14 @@ def _integral_to_last_level(density: Floats) -> Floats:
 def _probability_of_smaller_area(summit_counts: Floats, area_ratio: Floats) -> Floats:
     """Return the probability (n,) that summits have a smaller total area than the contact.
 
-    The number of summits has a Poisson distribution of the mean `summit_counts` (n,), and their
-    areas are exponentially distributed. `area_ratio` (n,) is the contact area relative to the mean
-    area of a summit.
+    Their number has a Poisson distribution of the mean `summit_counts`, their areas an exponential
+    one. `area_ratio` is the contact area relative to the mean area of a summit.
     """
     is_few = area_ratio <= MAX_POISSON_SUMMITS
     spread = np.sqrt(2 * np.maximum(summit_counts, 1e-300))
     probability = special.ndtr((area_ratio - summit_counts) / spread)
     # The sum over i in theory.md is a noncentral chi-squared distribution of 2 degrees of freedom.
-    # Its small probabilities lack digits. They are summed below, because their forces may be huge.
+    # Its small probabilities lack digits, and their forces may be huge: they are summed below.
     probability[is_few] = 1 - special.chndtr(2 * summit_counts[is_few], 2, 2 * area_ratio[is_few])
     is_rare = is_few & (probability < MIN_SUBTRACTED_PROBABILITY)
     if is_rare.any():

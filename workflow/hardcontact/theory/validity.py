@@ -1,8 +1,7 @@
 """Where the closed form is validated, and its errors, from a table of designed surfaces.
 
 Errors are the ratios of computed to predicted values. The surfaces were held out while the closed
-form was developed, except that they decided two choices: close points lie on rough summits, and
-edges leave this out (workflow/report/theory.md, Close points).
+form was developed, except for the choice of workflow/report/theory.md, Close points.
 """
 
 import math
@@ -23,8 +22,8 @@ from hardcontact.theory.closed_form import ClosedForm
 
 #: Designed surfaces, computed and predicted; resources/validation/README.md describes the columns.
 DESIGNED_SURFACES = Path(__file__).with_name("designed_surfaces.csv")
-#: Number of nearest surfaces whose ratios count. Another ratio lies between the smallest and the
-#: largest of n with the probability (n - 1)/(n + 1), 0.9.
+#: Number n of nearest surfaces whose ratios count. Another ratio lies between the smallest and the
+#: largest with the probability (n - 1)/(n + 1), 0.9.
 NEAREST_SURFACES = 19
 #: Smaller moduli count as this one: below the mean plane the modulus is 0 and has no logarithm.
 MIN_WEIBULL_MODULUS = 1e-3
@@ -43,9 +42,7 @@ FITTED_POINTS = 40
 class Validity(StrEnum):
     """Whether the closed form is validated for an input, so that its error is known.
 
-    INSIDE: all parameters lie in the tested ranges, and all assumptions hold. OUTSIDE: a parameter
-    lies outside, or an assumption fails. STEEP_SIDEWALLS: there is no force, because heights with
-    steep sidewalls are far from Gaussian.
+    STEEP_SIDEWALLS: there is no force, because heights with steep sidewalls are far from Gaussian.
     """
 
     INSIDE, OUTSIDE, STEEP_SIDEWALLS = "inside", "outside", "steep_sidewalls"
@@ -53,10 +50,7 @@ class Validity(StrEnum):
 
 @cache
 def held_out_surfaces() -> pd.DataFrame:
-    """Return the surfaces of DESIGNED_SURFACES that were held out, with ratios.
-
-    ``<name>_ratio`` is the computed relative to the predicted value, NaN if no edge was found.
-    """
+    """Return the held-out DESIGNED_SURFACES, with ratios of computed to predicted values."""
     table = pd.read_csv(DESIGNED_SURFACES)
     held_out = table[table["held_out"] == 1].copy()
     for name in VALIDATED_QUANTITIES:
@@ -85,7 +79,7 @@ def mean_hurst_and_change(spectrum: Spectrum, contact_length: float) -> tuple[fl
     """Return the mean Hurst exponent of a spectrum, and its change per decade of wavevector.
 
     A parabola is fitted to log C_iso against log q, from the peak wavelength to the length of the
-    contact, or to the shortest wave if that is longer. NaN if the peak wavelength is shorter.
+    contact or the shortest wave. NaN if the contact is longer than the peak wavelength.
     """
     lowest, highest = 2 * np.pi / peak_wavelength(spectrum), spectrum.wavevector[-1]
     decades = math.log10(min(highest, 2 * np.pi / contact_length) / lowest)
@@ -100,8 +94,7 @@ def mean_hurst_and_change(spectrum: Spectrum, contact_length: float) -> tuple[fl
 def nearest_ratios(point: Mapping[str, Any], name: str) -> tuple[float, float]:
     """Return the smallest and the largest ratio on the surfaces of the table nearest to a point.
 
-    The distance is Euclidean in ln(weibull_modulus) and ln(contact_over_peak_wavelength), plus one
-    in another regime. A point outside the table is moved to its border.
+    A point outside the table is moved to its border.
     """
     surfaces = held_out_surfaces().dropna(subset=f"{name}_ratio")
     axes = ["weibull_modulus", "contact_over_peak_wavelength"]

@@ -17,7 +17,7 @@ from scipy.stats import lognorm
 from hardcontact.base.formatting import format_estimate
 from hardcontact.base.statistics import log_std_of_lognormal
 from hardcontact.contact.contact import PLASTIC
-from hardcontact.contact.force_interpolation import interpolate_forces
+from hardcontact.inference.fit import interpolate_forces
 from hardcontact.report.figures import drawing, panels, style
 
 LINEAR_BINS = 24

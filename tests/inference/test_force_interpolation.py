@@ -6,7 +6,7 @@ import xarray as xr
 from known_forces import RHOS, SLOPES, power_curves, power_forces
 from repository import PAPER
 
-from hardcontact.contact.force_interpolation import interpolate_forces, interpolate_to_ranges
+from hardcontact.inference.fit import interpolate_forces, interpolate_to_ranges
 
 
 def test_interpolation_between_ranges_follows_power_laws():
