@@ -1,7 +1,7 @@
 """The roughness of a substrate and of the sphere in one map and one spectrum.
 
-Gaps depend only on the sum of both heights, so that a smooth sphere on this map touches like a
-rough sphere on the substrate. Each contact uses another position on the rough sphere.
+Gaps depend only on the sum of both heights, so a smooth sphere on the map of both touches like the
+rough sphere on the substrate.
 """
 
 from dataclasses import replace
@@ -27,10 +27,7 @@ HALF_BIN_RATIO = 10**0.05
 
 
 def combine_maps(rng: np.random.Generator, substrate: HeightMap, sphere: HeightMap) -> HeightMap:
-    """Return a mirrored map of the substrate plus the sphere's roughness at a random position.
-
-    Both given maps are mirrored; the map returned has the pixels of the substrate.
-    """
+    """Return the mirrored map of a mirrored substrate plus a mirrored sphere, shifted at random."""
     pixels = substrate.pixels // 2
     roughness = _resample(sphere, substrate.pixel_size).heights
     rows, columns = (start + np.arange(pixels) for start in rng.integers(len(roughness), size=2))
@@ -40,7 +37,7 @@ def combine_maps(rng: np.random.Generator, substrate: HeightMap, sphere: HeightM
 
 
 def _resample(surface: HeightMap, pixel_size: float) -> HeightMap:
-    """Return a periodic map on pixels of about this size (nm), without waves below two pixels."""
+    """Return a periodic map on pixels of about a size (nm), without waves below two pixels."""
     pixels = round(surface.size / pixel_size)
     if pixels < surface.pixels:
         surface = lowpass(surface, surface.size / (pixels // 2 - 1))
@@ -50,8 +47,8 @@ def _resample(surface: HeightMap, pixel_size: float) -> HeightMap:
 def combine_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
     """Return the sum of two joined spectra, with the measurements of both bodies.
 
-    Measurements stay reliable only where their body has most of the power. ``sphere_share``
-    (bin_wavevector) is the sphere's share of the power. Raises ValueError if none stays reliable.
+    Measurements stay reliable only where their body has most of the power. Raises ValueError if
+    none stays reliable.
     """
     substrate_density = spectrum_of_dataset(substrate)(BIN_CENTRES)
     sphere_density = spectrum_of_dataset(sphere)(BIN_CENTRES)
@@ -59,10 +56,10 @@ def combine_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
     with np.errstate(invalid="ignore"):
         share = sphere_density / total
     is_sphere = sphere_density > substrate_density
-    bodies = [_limit_to_dominant(substrate, ~is_sphere), _limit_to_dominant(sphere, is_sphere)]
     measurements = xr.concat(
-        bodies, "measurement", data_vars="minimal", coords="minimal", compat="override"
-    )
+        [_limit_to_dominant(substrate, ~is_sphere), _limit_to_dominant(sphere, is_sphere)],
+        "measurement", data_vars="minimal", coords="minimal", compat="override",
+    )  # fmt: skip
     reliable = measurements["reliable"].values == 1
     if not reliable.any():
         raise ValueError(
@@ -88,7 +85,7 @@ def combine_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
 
 
 def _limit_to_dominant(body: xr.Dataset, is_dominant: NDArray[np.bool_]) -> xr.Dataset:
-    """Return the spectrum of a body whose measurements are reliable only where it dominates."""
+    """Return the spectrum of a body, its measurements reliable only where the body dominates."""
     was_reliable = body["reliable"].values == 1
     reliable = was_reliable & is_dominant
     wavelength = 2 * np.pi / BIN_CENTRES
@@ -130,5 +127,4 @@ def combine_sampled_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dat
 
 
 def _sum_of_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.DataArray:
-    """Return the sum of C_iso (wavevector) of both bodies in nm⁴."""
     return (substrate["spectrum"] + sphere["spectrum"]).assign_attrs(substrate["spectrum"].attrs)

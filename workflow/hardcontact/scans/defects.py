@@ -1,8 +1,4 @@
-"""Find defects of a scan that make forces wrong although its file is readable, and state them.
-
-A defect has a code and numbers, such as the share of spikes (DEFECTS). `map_defects` finds those
-that need the waves or the shape of a whole map.
-"""
+"""Find defects of a scan that make forces wrong although its file is readable, and state them."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -70,10 +66,10 @@ MIN_SIDEWALL_SLOPE_SHARE = 0.7
 def scan_defects(
     raw_heights: Floats, levelled_heights: Floats, pixel_size: float
 ) -> dict[str, Defect]:
-    """Return the defects of a scan by code, each with its numbers as in DEFECTS; empty for none.
+    """Return the defects of a scan by code, each with its numbers as in DEFECTS.
 
-    Heights in nm, before and after levelling, are (y, x), or (n,) of a line scan. Beside
-    some defects others are not looked for: equal lines look like a lay, sidewalls hide white noise.
+    Heights in nm are (y, x), or (n,) of a line scan. Beside some defects others are not looked for:
+    equal lines look like a lay, sidewalls hide white noise.
     """
     defects: dict[str, Defect] = {}
     measured_heights = raw_heights
@@ -104,13 +100,12 @@ def scan_defects(
 def level_and_list_defects(
     scan: HeightMap, sphere_radius: float | None = None, levelling: str = "plane"
 ) -> HeightMap:
-    """Level a scan by `remove_form`, and add its defects."""
+    """Return a scan levelled by `remove_form`, with its defects."""
     flat = remove_form(scan, sphere_radius, levelling)
     return replace(flat, defects=scan_defects(scan.heights, flat.heights, scan.pixel_size))
 
 
 def _fill_streaks(heights: Floats) -> tuple[Floats, Defect]:
-    """Return heights whose streaks are filled, and the numbers of the streaks."""
     filled_heights, is_filled = fill_streaks(heights)
     lines = np.flatnonzero(is_filled.any(axis=1)) + 1
     if not lines.size:
@@ -124,10 +119,6 @@ def _fill_streaks(heights: Floats) -> tuple[Floats, Defect]:
 
 
 def _find_spikes(heights: Floats) -> Defect:
-    """Return the share of spikes and the rms height (nm) without them.
-
-    On a map one neighbour of a spike may be a spike, too; pixels of a particle have more.
-    """
     isolation = _isolation(heights)
     # Spikes raise the rms height, so leave out pixels that are isolated by the median deviation.
     median_deviation = np.median(np.abs(heights - np.median(heights)))
@@ -138,7 +129,10 @@ def _find_spikes(heights: Floats) -> Defect:
 
 
 def _isolation(heights: Floats) -> Floats:
-    """Return the least difference of each height from its neighbours; in a map the second least."""
+    """Return the least difference of each height from its neighbours; in a map the second least.
+
+    On a map one neighbour of a spike may be a spike, too; pixels of a particle have more.
+    """
     padded = np.pad(heights, 1, constant_values=np.inf)
     nearest = second_nearest = np.full(heights.shape, np.inf)
     for start in product(range(3), repeat=heights.ndim):
@@ -153,9 +147,9 @@ def _isolation(heights: Floats) -> Floats:
 
 def _find_equal_lines(lines: Floats) -> NDArray[np.bool_]:
     """Return the mask (y,) of lines of a map that are constant or repeat the previous line."""
-    equal = np.asarray(np.ptp(lines, axis=1) == 0)
-    equal[1:] |= (lines[1:] == lines[:-1]).all(axis=1)
-    return equal
+    is_equal = np.asarray(np.ptp(lines, axis=1) == 0)
+    is_equal[1:] |= (lines[1:] == lines[:-1]).all(axis=1)
+    return is_equal
 
 
 def _find_clipping(heights: Floats) -> dict[str, Defect]:
@@ -186,7 +180,7 @@ def _find_sidewalls(heights: Floats) -> Defect:
 
 
 def defect_sentence(code: str, numbers: Mapping[str, float]) -> str:
-    """Return the sentence on a defect, with its numbers and without a full stop."""
+    """Return the sentence on a defect, without a full stop."""
     words = {name: _format_defect_number(name, number) for name, number in numbers.items()}
     words["sidewall_pixels"] = format_share(SIDEWALL_PIXEL_SHARE)
     return DEFECT_SENTENCES[code].format(**words, streak=MIN_STREAK_STEPS, spike=MIN_SPIKE_DISTANCE)

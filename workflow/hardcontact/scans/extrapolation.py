@@ -1,12 +1,12 @@
 """The extrapolation of a spectrum beyond the wavelengths measured: a tail and a roll-off.
 
-The tail lies below the shortest wavelength measured. It is self-affine, with the Hurst exponent of
-the shortest decade measured. It ends at atoms, or where slope or curvature over all scales would
-exceed that of the roughest surface in Table 1.
+The tail of short waves is self-affine, with the Hurst exponent of the shortest decade measured. It
+ends at atoms, or where slope or curvature over all scales would exceed that of the roughest surface
+in Table 1.
 
-The roll-off lies above the longest wavelength measured. C_iso rises up to it, and is constant
-beyond. In a scan such long waves are slopes and bows. Levelling leaves some of their variance, from
-which Bayes' rule gives the roll-off.
+Above the longest wavelength measured, C_iso rises up to the roll-off, and is constant beyond. In a
+scan such long waves are slopes and bows. Levelling leaves some of their variance, from which
+Bayes' rule gives the roll-off.
 """
 
 from collections.abc import Sequence
@@ -72,11 +72,10 @@ class HurstFit(NamedTuple):
 
 
 def fit_hurst_exponent(wavevector: Floats, density: Floats, variance: Floats) -> HurstFit:
-    """Return the Hurst exponent of at least three bins, fitted together with the roll-off.
+    """Return the posterior mean of the Hurst exponent of the shortest decade, or of three bins.
 
-    For each roll-off and SHARPNESS, a weighted regression over the shortest decade gives H. The
-    prior is uniform in the logarithm of the roll-off, in SHARPNESS, and in H from 0 to 1. The
-    exponent is the posterior mean.
+    For each roll-off and SHARPNESS, a weighted regression gives H. The prior is uniform in the
+    logarithm of the roll-off, in SHARPNESS, and in H from 0 to 1.
     """
     is_fitted = wavevector >= wavevector[-1] / 10 * (1 - 1e-9)
     is_fitted[-MIN_BINS:] = True
@@ -105,7 +104,7 @@ def _truncated_moments(
 ) -> tuple[Floats, Floats]:
     """Return mean and variance of a mixture of normal exponents (case,), truncated to 0 to 1.
 
-    If this range is improbable, the whole mixture counts, and its mean is clipped to the range.
+    If 0 to 1 is improbable, the whole mixture counts, and its mean is clipped.
     """
     low, high = -exponents / errors, (1 - exponents) / errors
     truncated_share = scipy.special.ndtr(high) - scipy.special.ndtr(low)
@@ -145,10 +144,7 @@ class Tail(NamedTuple):
 
 
 def is_tail_known(tail: Tail) -> bool:
-    """Return True if a Hurst exponent between 0 and 1 fits at least five bins, or none is needed.
-
-    Otherwise the extrapolation to short waves is a guess.
-    """
+    """Return True if a Hurst exponent between 0 and 1 fits five bins or more, or none is needed."""
     decades = np.log10(tail.tail_fit_longest / tail.tail_fit_shortest)
     is_physical = 0 < tail.tail_hurst < 1
     return bool(np.isnan(tail.tail_hurst) or (is_physical and decades >= MIN_FITTED_DECADES))
@@ -159,8 +155,8 @@ def extrapolate_short_waves(
 ) -> tuple[Floats, Tail]:
     """Return C_iso (nm⁴) on WAVEVECTORS from at least three measured points, and its tail.
 
-    C_iso is constant above the longest wavelength, self-affine below the shortest. The Hurst
-    exponent gets a `deviation`, and stays within 0 and 1.
+    C_iso is constant above the longest wavelength. The Hurst exponent gets a `deviation`, and stays
+    within 0 and 1.
     """
     # The highest measured wavevector may exceed the highest of WAVEVECTORS by rounding.
     table = Spectrum(wavevector, density)(np.minimum(WAVEVECTORS, wavevector[-1]))
@@ -203,7 +199,7 @@ def _find_tail_end(density: Floats) -> tuple[int, TailEnd]:
 def extrapolate_long_waves(density: Floats, longest: float, slope: float, rolloff: float) -> Floats:
     """Return C_iso on WAVEVECTORS that rises from the longest wavelength measured to the roll-off.
 
-    It rises with d ln C/d ln q = `slope`, clipped to 0 and to the STEEPEST_SELF_AFFINE_SLOPE.
+    The `slope` d ln C/d ln q is clipped to 0 and to the STEEPEST_SELF_AFFINE_SLOPE.
     """
     relative = np.maximum(2 * np.pi / WAVEVECTORS / longest, 1.0)
     exponent = -np.clip(slope, STEEPEST_SELF_AFFINE_SLOPE, 0.0)
@@ -229,7 +225,6 @@ class RolloffEvidence:
     def __init__(
         self, scans: Sequence[HeightMap], densities: Floats, bands: Sequence[ReliableBand]
     ) -> None:
-        """Keep the evidence of the widest scans; C_iso (scan, bins) and bands are of all scans."""
         longest = max(band.longest for band in bands)
         is_widest = np.array([band.longest == longest for band in bands])
         widest_scans = [scan for scan, widest in zip(scans, is_widest, strict=True) if widest]
@@ -252,9 +247,8 @@ class RolloffEvidence:
     ) -> float:
         """Return a quantile of the roll-off wavelength, for its probability.
 
-        The prior is uniform in the logarithm of the roll-off, from the longest wavelength measured
-        to MAX_ROLLOFF_OVER_SIZE times the size of the scan. If the `slope` d ln C/d ln q there is
-        not negative, the roll-off is the longest wavelength.
+        The prior is uniform in the logarithm of the roll-off. If the `slope` d ln C/d ln q at the
+        longest wavelength measured is not negative, the roll-off is that wavelength.
         """
         if slope >= 0:
             return longest
@@ -268,8 +262,7 @@ class RolloffEvidence:
     def _log_likelihood(self, density: Floats) -> float:
         """Return the logarithm of the likelihood of the measured variance, up to a constant.
 
-        The powers of N independent modes are exponential, so that their sum is a gamma variable of
-        relative variance 1/N.
+        A sum of the powers of N independent modes is a gamma variable of relative variance 1/N.
         """
         power = density * WAVEVECTORS**2 * self._share_after_levelling / (2 * np.pi)
         expected_variance = np.trapezoid(power, LOG_WAVEVECTORS) + self._noise_variance(density)

@@ -41,7 +41,7 @@ TIP_RADIUS_IN_WORDS = re.compile(
 def read_fields(
     content: bytes, dataset: str, undefined_pixels: str, unit: str, map_size: float | str, mask: str
 ) -> dict[str, Any]:
-    """Return fields of a `HeightMap`; the arguments are those of `reading.read_scan`."""
+    """Return fields of a `HeightMap`; the arguments are those of `api.read_scan`."""
     reader, entry, notes = open_scan(content, dataset)
     unit = unit.replace("angstrom", "Å")
     channel, channel_notes = _find_height_channel(reader, entry, "" if entry else dataset)
@@ -79,7 +79,6 @@ def read_fields(
 
 
 def _refuse_without_unit_or_size(topography: Any) -> None:
-    """Raise RefusedFile if neither the file nor the user gives a unit and a physical size."""
     if topography.unit is None:
         raise RefusedFile(
             "expected a unit of length, found none in the file: state it for all files without a "
@@ -155,9 +154,19 @@ def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[
     refuse_point_counts(channel.nb_grid_pts)
     has_positions = channel.dim == 1 and channel.is_uniform is False
     size = None if has_positions else tuple(metadata.get("size") or ()) or None
-    _refuse_impossible_metadata(channel, size, metadata.get("height_scale"))
+    if size is not None and not (len(size) == channel.dim and all(0 < x < math.inf for x in size)):
+        raise RefusedFile(f"expected a size of {channel.dim} positive numbers, found {size}")
+    scale = metadata.get("height_scale")
+    if scale is not None and not 0 < scale < math.inf:
+        raise RefusedFile(f"expected a positive height scale, found {scale}")
     if channel.physical_sizes is None and size is None and not has_positions:
-        _refuse_without_size(lacks_unit=channel.unit is None and "unit" not in metadata)
+        lacks_unit = channel.unit is None and "unit" not in metadata
+        remedy = ", and --unit nm (scan.unit: nm) the unit of the heights" if lacks_unit else ""
+        raise RefusedFile(
+            f"expected a file that states the physical size{' and unit' if lacks_unit else ''} of "
+            "the scan, found none: "
+            f"--size 5000nm (scan.map_size: 5000nm) gives the longer side{remedy}"
+        )
     arguments = _accepted_arguments(channel, metadata | {"size": size})
     topography = channel.topography(**arguments)
     is_text_line = isinstance(channel.reader, XYZReader) and topography.dim == 1
@@ -182,24 +191,6 @@ def _refuse_point_columns(channel: Any) -> None:
         )
 
 
-def _refuse_without_size(*, lacks_unit: bool) -> None:
-    """Refuse a file without a physical size, and say how to give it, and a missing unit."""
-    remedy = ", and --unit nm (scan.unit: nm) the unit of the heights" if lacks_unit else ""
-    raise RefusedFile(
-        f"expected a file that states the physical size{' and unit' if lacks_unit else ''} of the "
-        "scan, found none: --size 5000nm (scan.map_size: 5000nm) gives the longer side" + remedy
-    )
-
-
-def _refuse_impossible_metadata(
-    channel: Any, size: tuple[float, ...] | None, scale: float | None
-) -> None:
-    if size is not None and not (len(size) == channel.dim and all(0 < x < math.inf for x in size)):
-        raise RefusedFile(f"expected a size of {channel.dim} positive numbers, found {size}")
-    if scale is not None and not 0 < scale < math.inf:
-        raise RefusedFile(f"expected a positive height scale, found {scale}")
-
-
 def _accepted_arguments(channel: Any, metadata: dict[str, Any]) -> dict[str, Any]:
     """Return the metadata that the file itself lacks, by argument of the reader."""
     arguments: dict[str, Any] = {}
@@ -215,8 +206,7 @@ def _accepted_arguments(channel: Any, metadata: dict[str, Any]) -> dict[str, Any
 def _find_height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any, list[str]]:
     """Return the channel of heights that the user, the container or the reader chooses, and notes.
 
-    The user's channel, by `name`, is refused if it holds no heights. If the container or the reader
-    chooses a channel without heights, the first channel of heights is read instead.
+    If the container or the reader chooses a channel without heights, return the first one with.
     """
     channels = reader.channels
     container_index = entry.get("data_source")
@@ -273,8 +263,7 @@ def find_tip_radius(
 ) -> tuple[float | None, list[str]]:
     """Return the radius of the tip (nm), and a note on its source; None if it is not stated.
 
-    Numbers of the file, then of its container, come before words. The largest radius in words
-    counts, because a worn tip limits the scan.
+    Of several radii in words the largest counts, because a worn tip limits the scan.
     """
     for source, metadata in (("file", file_metadata), ("container", container_metadata)):
         radius = _radius_in_numbers(metadata)

@@ -34,7 +34,7 @@ POSITION_ROUNDING = 0.05
 
 
 class RefusedFile(Exception):
-    """A file that cannot be used; the message has the form "expected ..., found ..."."""
+    """A file that cannot be used."""
 
 
 def split_notes(notes: Sequence[str]) -> tuple[list[str], list[str]]:
@@ -57,7 +57,7 @@ def refuse_point_counts(counts: tuple[int, ...]) -> None:
 
 
 def unit_in_nm(unit: str) -> float:
-    """Return a unit of length in nm; any other unit is refused."""
+    """Return a unit of length in nm; refuse any other unit."""
     from SurfaceTopography.Support.UnitConversion import get_unit_conversion_factor
 
     try:
@@ -69,10 +69,10 @@ def unit_in_nm(unit: str) -> float:
 def _scan_fields(
     heights: Floats, pixel_size: float, notes: list[str], undefined_count: int
 ) -> dict[str, Any]:
-    """Return the fields of a scan by their names in `HeightMap`; refuse impossible values."""
+    """Return the fields of a `HeightMap`; refuse impossible values."""
     minimum, maximum = LENGTH_BOUNDS
-    # An offset larger than any relief is the position of a stage. Heights of a larger offset than
-    # minimum / eps have lost their digits.
+    # An offset larger than any relief is the position of a stage. Beyond minimum / eps, heights
+    # have lost their digits.
     offset = float(np.median(heights))
     if maximum < abs(offset) < minimum / np.finfo(float).eps:
         heights = heights - offset
@@ -127,13 +127,12 @@ def map_fields(topography: Any, factor: float, undefined_pixels: str) -> dict[st
 
 
 def _largest_square(heights: np.ma.MaskedArray) -> np.ma.MaskedArray:
-    """Return the central square of a map, or of a round or rotated scan the largest one within.
+    """Return the central square of a map, or the largest one within a round or rotated scan.
 
-    The corners of such a scan are undefined. Filled, they would be too smooth.
+    The corners of a round or rotated scan are undefined. Filled, they would be too smooth.
     """
-    columns, rows = heights.shape
-    width = min(rows, columns)
-    first_column, first_row = (columns - width) // 2, (rows - width) // 2
+    width = min(heights.shape)
+    first_column, first_row = ((count - width) // 2 for count in heights.shape)
     central = heights[first_column : first_column + width, first_row : first_row + width]
     regions, _ = scipy.ndimage.label(heights.mask)
     corners = regions[[0, 0, -1, -1], [0, -1, 0, -1]]
@@ -150,10 +149,7 @@ def _largest_square(heights: np.ma.MaskedArray) -> np.ma.MaskedArray:
 def _square_pixels(
     heights: np.ma.MaskedArray, widths: Floats
 ) -> tuple[np.ma.MaskedArray, float, list[str]]:
-    """Return heights (x, y) on square pixels, the width of a pixel (nm), and notes.
-
-    Pixels whose `widths` (nm) differ are resampled to the larger width.
-    """
+    """Return heights (x, y) resampled to square pixels, the width of a pixel (nm), and notes."""
     # Squares of the smaller width would lack short waves along one axis.
     wider = float(widths.max())
     if not 0 < widths.min() <= wider < np.inf:
@@ -189,7 +185,7 @@ def _mask_undefined(heights: Floats) -> np.ma.MaskedArray:
 
 
 def _count_undefined(heights: np.ma.MaskedArray, undefined_pixels: str) -> tuple[int, list[str]]:
-    """Return the number of undefined pixels and a note; refuse too many, or any by option."""
+    """Return the number of undefined pixels and notes; refuse too many, or any by option."""
     count = int(heights.mask.sum())
     if count > MAX_UNDEFINED_SHARE * heights.size:
         raise RefusedFile(
@@ -219,7 +215,7 @@ def line_scan_fields(line_scan: Any, factor: float, undefined_pixels: str) -> di
 
 
 def _uniform_grid(positions: Floats) -> tuple[Floats, list[str]]:
-    """Return the positions (nm) if uniform, else a grid of their median spacing, and a note."""
+    """Return positions (nm) if they are uniform, else a grid of their median spacing, and notes."""
     spacings = np.diff(positions)
     if not (spacings > 0).all():
         raise RefusedFile(

@@ -52,7 +52,7 @@ UNKNOWN_TIP_RADII = (5.0, 50.0)
 
 
 class _MeasuredSpectra(NamedTuple):
-    """The spectra of the scans of a surface, with tips and reliable bands."""
+    """The spectra of the scans of a surface."""
 
     radii: Sequence[float | None]  #: Radii of the tips in nm; None if unknown.
     densities: Floats  #: (scan, bins) C_iso in nm⁴, NaN in empty bins.
@@ -90,9 +90,9 @@ def _measured_spectra(
 def joined_spectrum(scans: Sequence[HeightMap], tip_radii: Sequence[float | None]) -> xr.Dataset:
     """Return the spectrum of a surface, joined from levelled scans at their reliable wavelengths.
 
-    If a tip radius is None, the file may state one. ``spectrum`` (wavevector) in nm⁴ has all
-    scales; ``joined_psd`` (bin_wavevector) is the smooth mean, NaN in unreliable bins. Raises
-    ValueError, in one line, if fewer than MIN_BINS bins are reliable.
+    If a tip radius is None, the file may state one. ``spectrum`` (wavevector) has all scales;
+    ``joined_psd`` (bin_wavevector) is NaN in unreliable bins. Raises ValueError, in one line, if
+    fewer than MIN_BINS bins are reliable.
     """
     measured = _measured_spectra(scans, tip_radii)
     reliable = _reliable_mask(measured.densities, measured.bands)
@@ -127,8 +127,7 @@ def sample_spectra(
 ) -> Iterator[tuple[Spectrum, Floats]]:
     """Yield, for each random generator, a spectrum within the uncertainty of levelled scans.
 
-    Samples differ in the power and the bends of the curve, the calibrations, unknown tip radii, the
-    tail and the roll-off. Also yields factors (scan,) from measured to true heights.
+    Also yields factors (scan,) from measured to true heights.
     """
     measured = _measured_spectra(scans, tip_radii)
     for rng in rngs:
@@ -158,7 +157,7 @@ def sample_spectra(
 def _sample_reliable_band(
     rng: np.random.Generator, scan: HeightMap, radius: float | None, band: ReliableBand
 ) -> ReliableBand:
-    """Return the reliable band of a scan; a map with an unknown tip gets a sampled tip radius."""
+    """Return the reliable band of a scan; an unknown tip of a map gets a sampled radius."""
     if radius is not None or scan.kind != "map":
         return band
     tip_radius = float(np.exp(rng.uniform(*np.log(UNKNOWN_TIP_RADII))))
@@ -166,7 +165,6 @@ def _sample_reliable_band(
 
 
 def _fit_hurst_without_peaks(bins: MeanBins) -> HurstFit:
-    """Return the fit of the Hurst exponent to the bins without peaks."""
     is_fitted = np.isfinite(bins.density) & ~bins.is_peak
     return fit_hurst_exponent(
         BIN_CENTRES[is_fitted], bins.density[is_fitted], bins.variance[is_fitted]

@@ -5,7 +5,7 @@ import numpy as np
 from hardcontact.base.arrays import Floats
 from hardcontact.scans.reliable_band import FLATTEST_SLOPE, MIN_STANDARD_ERRORS
 
-#: The numbers of a defect by name; empty if a scan lacks it.
+#: The numbers of a defect by name; empty without the defect.
 Defect = dict[str, float]
 
 #: Least ratio, for a lay, of the variance of profiles along its wavevector to that across.
@@ -40,10 +40,7 @@ def wave_power(heights: Floats) -> Floats:
 
 
 def find_curvature(heights: Floats, pixel_size: float) -> Defect:
-    """Return the radius (nm) of a curvature, and the relative rms height without it.
-
-    A curvature is the part of second order in a polynomial fit of fourth order.
-    """
+    """Find a curvature: the part of second order in a polynomial fit of fourth order."""
     step = max(1, len(heights) // POLYNOMIAL_POINTS)
     points = heights[::step, ::step]
     axis = np.linspace(-1, 1, len(points))
@@ -69,7 +66,7 @@ def find_curvature(heights: Floats, pixel_size: float) -> Defect:
 
 
 def find_line_patterns(heights: Floats, power: Floats, pixel_size: float) -> dict[str, Defect]:
-    """Return the numbers of offset lines and a lay, or else of slopes that depend on direction."""
+    """Find offset lines and a lay, or else slopes that depend on direction."""
     lay, slope_ratio = _find_lay(power)
     patterns = {"offset_lines": _find_line_offsets(heights), "lay": lay}
     if slope_ratio > MIN_LAY_RATIO and not any(patterns.values()):
@@ -78,10 +75,9 @@ def find_line_patterns(heights: Floats, power: Floats, pixel_size: float) -> dic
 
 
 def _find_lay(power: Floats) -> tuple[Defect, float]:
-    """Return the `lay_ratio` of a lay, if there is one, and the ratio of squared slopes.
+    """Find a lay; also return the ratio of squared slopes along and across the steepest direction.
 
-    The first compares variances of profiles along and across most wavevectors, the second squared
-    slopes along and across the steepest direction.
+    The ratio of a lay compares variances of profiles along and across most wavevectors.
     """
     pixels = len(power)
     waves = np.fft.fftfreq(pixels, 1 / pixels)
@@ -129,7 +125,7 @@ def _correlation_of_steps(steps: Floats) -> float:
 
 
 def _find_directional_slopes(heights: Floats, pixel_size: float) -> Defect:
-    """Return the rms slopes along x and y; none if noise of lines makes the steeper one."""
+    """Find the rms slopes along x and y, unless noise of lines makes the steeper one."""
     steps = [np.diff(lines, axis=0) for lines in (heights.T, heights)]
     slopes = [float(axis_steps.std()) / pixel_size for axis_steps in steps]
     is_noise = _correlation_of_steps(steps[int(np.argmax(slopes))]) < MIN_STEP_CORRELATION
@@ -137,11 +133,7 @@ def _find_directional_slopes(heights: Floats, pixel_size: float) -> Defect:
 
 
 def find_noise(variance: float, power: Floats) -> Defect:
-    """Return the rms of white noise and the rms height without it (nm); none without noise.
-
-    With noise, a spectrum is flatter at short waves than those of self-affine surfaces, and steeper
-    at longer waves.
-    """
+    """Find white noise, with which a spectrum is flat at short waves and steeper at longer ones."""
     pixels = len(power)
     waves = np.fft.fftfreq(pixels, 1 / pixels)
     half_octave = np.round(2 * np.log2(pixels / np.maximum(np.hypot(waves, waves[:, None]), 1)))

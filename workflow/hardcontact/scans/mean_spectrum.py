@@ -71,9 +71,8 @@ def smooth_curve(
 ) -> Curve:
     """Return a smooth curve through bins and gaps; with `rng`, a sample of the posterior.
 
-    C_iso (bins,) is NaN in gaps. The slope d ln C/d ln q is a Wiener process that changes by
-    SLOPE_CHANGE over a decade, so that the posterior mean is a smoothing spline (Wahba, J. R. Stat.
-    Soc. B 40 (1978) 364).
+    C_iso (bins,) is NaN in gaps. The slope d ln C/d ln q is a Wiener process, so that the posterior
+    mean is a smoothing spline (Wahba, J. R. Stat. Soc. B 40 (1978) 364).
     """
     finite = np.flatnonzero(np.isfinite(density))
     bins = slice(finite[0], finite[-1] + 1)
@@ -101,11 +100,10 @@ def smooth_curve_without_peaks(bins: MeanBins, rng: np.random.Generator | None =
 
 
 def match_height_variance(curve: Curve, power: Floats) -> Curve:
-    """Return a curve changed so that its variance of heights is that of `power`, the mean C_iso.
+    """Return a curve changed so that its variance of heights is that of the mean C_iso `power`.
 
-    Gaps, in which `power` (bins,) is NaN, do not count. Each ln C changes in proportion to its own
-    variance and to the share of its bin in the variance of heights. To first order, this is the
-    most likely curve with this variance of heights.
+    Each ln C changes in proportion to its variance and to its share in the variance of heights. To
+    first order, this curve is the most likely one. Gaps, in which `power` is NaN, do not count.
     """
     wavevector, density, variance = curve
     power = power[np.isin(BIN_CENTRES, wavevector)]

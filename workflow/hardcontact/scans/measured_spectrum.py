@@ -1,8 +1,7 @@
 """C_iso of one scan, a map or a line scan, with the number of independent modes and local slopes.
 
-C_iso (nm⁴) and C_1D (nm³) are defined in `surfaces.spectrum`. A line scan has C_1D alone. An
-inverse Abel transform of the slope of C_1D at all larger wavevectors gives C_iso (Bracewell, The
-Fourier Transform and Its Applications).
+A line scan has C_1D alone, of which an inverse Abel transform is C_iso (Bracewell, The Fourier
+Transform and Its Applications). `surfaces.spectrum` defines both.
 """
 
 from dataclasses import replace
@@ -37,7 +36,7 @@ FLATTEST_PROFILE_SLOPE = -1.0
 
 
 def isotropic_psd(scan: HeightMap) -> Floats:
-    """Return C_iso (bins,) in nm⁴ of a scan, which is levelled first; NaN in empty bins."""
+    """Return C_iso (bins,) in nm⁴ of a scan; NaN in empty bins."""
     levelled = level_plane(scan)
     if scan.kind == "map":
         _, _, isotropic = measured_psds(levelled)
@@ -60,8 +59,7 @@ def axis_ratio(scan: HeightMap) -> Floats:
 def independent_modes(kind: str, size: float) -> Floats:
     """Return the number of independent modes in each bin of the PSD of a map or line scan.
 
-    One of each pair ±q counts, times the share that the Hann window leaves independent; a bin has
-    at least the share of a single wave.
+    One of each pair ±q counts. A bin has at least the share of a single wave.
     """
     if kind == "map":
         count = np.pi / 2 * np.diff(BIN_EDGES**2) * (INDEPENDENT_SHARE * size / (2 * np.pi)) ** 2
@@ -73,8 +71,7 @@ def independent_modes(kind: str, size: float) -> Floats:
 def variance_of_log(modes: Floats) -> Floats:
     """Return the variance of ln C of a mean over independent modes: the trigamma of their number.
 
-    The mean is a gamma variable, because squares of Fourier amplitudes are exponential. Less than
-    one mode has the variance of one mode over their number.
+    Less than one mode has the variance of one mode over their number.
     """
     trigamma = scipy.special.polygamma(1, np.maximum(modes, 1.0))
     return np.asarray(trigamma / np.minimum(modes, 1.0))
@@ -89,8 +86,7 @@ def bias_of_log(modes: Floats) -> Floats:
 def local_slopes(wavevector: Floats, density: Floats, variance: Floats) -> tuple[Floats, Floats]:
     """Return d ln C / d ln q of a spectrum, fitted to half a decade around each bin, and its error.
 
-    `variance` (bins,) belongs to ln C. Where a half decade has a single bin, the slope is NaN
-    and its error infinite.
+    `variance` is of ln C. A single bin has the slope NaN and an infinite error.
     """
     distance = np.log(wavevector) - np.log(wavevector)[:, None]
     is_near = np.abs(distance) <= SLOPE_HALF_WIDTH
@@ -105,15 +101,12 @@ def local_slopes(wavevector: Floats, density: Floats, variance: Floats) -> tuple
 
 
 def isotropic_from_profile(wavevector: Floats, profile_density: Floats, modes: Floats) -> Floats:
-    """Return C_iso (bins,) in nm⁴ of a surface whose profiles have a measured C_1D (bins,) in nm³.
-
-    The ratio C_iso/C_1D comes from the smoothed, falling spectrum, so that the scatter of C_1D is
-    neither enlarged nor made negative. Empty bins are NaN.
-    """
+    """Return C_iso (bins,) in nm⁴ of a surface whose profiles have a measured C_1D in nm³."""
     finite = np.isfinite(profile_density)
     if finite.sum() < 2:
         return np.full(profile_density.shape, np.nan)
     log_q, log_density = np.log(wavevector[finite]), np.log(profile_density[finite])
+    # The smoothed, falling spectrum gives C_iso/C_1D, so that scatter of C_1D is not enlarged.
     smooth, last_slope = _smooth_falling_spectrum(log_q, log_density, modes[finite])
     density = np.full(profile_density.shape, np.nan)
     ratio = _inverse_abel(log_q, smooth, min(last_slope, FLATTEST_PROFILE_SLOPE)) / np.exp(smooth)

@@ -30,8 +30,6 @@ IMPORTED_LATE = (
 )  # fmt: skip
 for module in IMPORTED_LATE:
     import_module(module)
-#: The first bytes of a file of gzip.
-GZIP = b"\x1f\x8b"
 #: The lists of scans in containers, new and old, in the order in which they are looked for.
 INDEX_FILES = ("index.json", "meta.yml")
 #: Largest number of scans in a container: to read so many takes a minute.
@@ -69,10 +67,7 @@ UNKNOWN_UNIT = re.compile("Unknown unit '(.*)'|.* while unit '(.*)' is of kind")
 
 
 def list_datasets(content: bytes) -> dict[str, Any]:
-    """Return {"datasets": names}, a dictionary as `reading.read_in_child` expects.
-
-    A container has the names of its data files, any other file one empty name.
-    """
+    """Return as "datasets" the data files of a container, or one empty name for any other file."""
     entries = _container_entries(_decompress(content))
     return {"datasets": [""] if entries is None else [entry["file"] for entry in entries]}
 
@@ -92,7 +87,7 @@ def open_scan(content: bytes, dataset: str) -> tuple[Any, dict[str, Any], list[s
 
 def _decompress(content: bytes) -> bytes:
     """Return the content of a file of gzip; any other content stays as it is."""
-    return gzip.decompress(content) if content.startswith(GZIP) else content
+    return gzip.decompress(content) if content.startswith(b"\x1f\x8b") else content
 
 
 def _container_entries(content: bytes) -> list[dict[str, Any]] | None:
@@ -135,14 +130,14 @@ def _container_entry(scan: dict[str, Any]) -> dict[str, Any]:
 
 def _find_entry(entries: list[dict[str, Any]], dataset: str) -> dict[str, Any]:
     """Return the metadata of the only scan with this name or data file."""
-    named_entries = [entry for entry in entries if dataset in (entry["file"], entry["name"])]
-    if len(named_entries) != 1:
+    matching = [entry for entry in entries if dataset in (entry["file"], entry["name"])]
+    if len(matching) != 1:
         scans = ", ".join(f"{entry['name']} ({entry['file']})" for entry in entries)
         raise RefusedFile(
             "expected a dataset that names one scan, "
-            f"found {len(named_entries)} of {dataset!r} among {scans}"
+            f"found {len(matching)} of {dataset!r} among {scans}"
         )
-    return named_entries[0]
+    return matching[0]
 
 
 def _open_reader(content: bytes) -> Any:
@@ -190,10 +185,7 @@ def _describe_unread(content: bytes, reader_messages: str) -> str:
 
 
 def _file_type_and_readers(content: bytes) -> tuple[str, list[str]]:
-    """Return the type of a file in words with the remedy, and the names of the readers of it.
-
-    An unknown type is an empty text.
-    """
+    """Return the type of a file with the remedy, empty if unknown, and the names of its readers."""
     if zipfile.is_zipfile(io.BytesIO(content)):
         with zipfile.ZipFile(io.BytesIO(content)) as archive:
             members = archive.namelist()

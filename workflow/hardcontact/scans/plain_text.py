@@ -1,7 +1,7 @@
 """Rewrite plain text of scans for the readers of SurfaceTopography.
 
-These readers expect UTF-8, decimal points, and either a matrix separated by blanks or points x, y,
-height on a complete grid (`point_grid`).
+The readers expect UTF-8, decimal points, and a matrix separated by blanks or a complete grid of
+points x, y, height.
 """
 
 import codecs
@@ -29,10 +29,7 @@ OWN_SEPARATORS = ("X;Y;valid", "Scan Parameters")
 
 
 def readable_text(content: bytes) -> tuple[bytes, list[str]]:
-    """Return the bytes of a scan, as UTF-8 with blanks and decimal points if they are plain text.
-
-    Incomplete grids of points are completed, and points beside a grid interpolated, with a note.
-    """
+    """Return the bytes of a scan, which are rewritten if they are plain text, and notes."""
     text = _decode_text(content)
     if text is None:
         return content, []
@@ -72,10 +69,7 @@ def _decode_text(content: bytes) -> str | None:
 
 
 def _mark_undefined(line: str, width: int) -> str:
-    """Return a row of a matrix with words, such as ***, replaced by nan.
-
-    Lines with less than half of the numbers of the first row are unchanged.
-    """
+    """Return a row of a matrix, of which at least half are numbers, with nan in place of words."""
     cells = CELL.findall(line)
     if NUMBERS.fullmatch(line) or not POINT_COLUMNS < len(cells) <= width:
         return line

@@ -23,24 +23,24 @@ SPLINE_ITERATIONS = 10
 
 
 def grid_points(points: Floats) -> tuple[list[str], list[str]]:
-    """Return the texts "x y height" of all points of a grid, with nan for missing ones, and notes.
+    """Return texts "x y height" of all points of a grid, with nan for missing points, and notes.
 
-    Returns no texts if points (n, 3) fill their grid exactly or less than half of it, or share a
-    pixel.
+    Return no texts if points (n, 3) need none, fill less than half of a grid, or share a pixel.
     """
     axes = [_grid_axis(positions) for positions in points[:, :2].T]
     if not all(len(axis) for axis in axes):
         return [], []
     steps = [np.ptp(axis) / (len(axis) - 1) for axis in axes]
     corner = [axis[0] for axis in axes]
-    indices = np.rint((points[:, :2] - corner) / steps).astype(np.intp)
+    positions_in_steps = (points[:, :2] - corner) / steps
+    indices = np.rint(positions_in_steps).astype(np.intp)
     shape = (len(axes[0]), len(axes[1]))
     pixel_indices = np.ravel_multi_index(indices.T, shape)
     size = shape[0] * shape[1]
     shares_pixels = len(np.unique(pixel_indices)) < len(pixel_indices)
     if shares_pixels or len(pixel_indices) < (1 - MAX_UNDEFINED_SHARE) * size:
         return [], []
-    offsets = (points[:, :2] - corner) / steps - indices
+    offsets = positions_in_steps - indices
     distance = float(np.abs(offsets).max())
     is_beside = distance > POSITION_ROUNDING
     if len(pixel_indices) == size and not is_beside:
@@ -59,7 +59,7 @@ def grid_points(points: Floats) -> tuple[list[str], list[str]]:
 def _heights_on_grid(heights: Floats, indices: NDArray[np.intp], offsets: Floats) -> Floats:
     """Return heights (x, y) on a grid whose cubic spline passes through points beside it.
 
-    Points have indices (n, 2) and offsets (n, 2) in spacings. Missing points stay NaN.
+    The points have indices and offsets (n, 2) in spacings.
     """
     is_missing = np.isnan(heights)
     nearest = ndimage.distance_transform_edt(
@@ -76,10 +76,7 @@ def _heights_on_grid(heights: Floats, indices: NDArray[np.intp], offsets: Floats
 
 
 def _grid_axis(positions: Floats) -> Floats:
-    """Return the evenly spaced positions (k,) of a grid, on or near which positions (n,) lie.
-
-    Returns none if all positions are equal.
-    """
+    """Return evenly spaced positions (k,) of a grid near positions; none if these are all equal."""
     extent = float(np.ptp(positions))
     if not 0 < extent < np.inf:
         return np.empty(0)

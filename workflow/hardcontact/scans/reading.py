@@ -1,7 +1,6 @@
-"""Read scans of any microscope, in a child process.
+"""Read scans of any microscope, in a child process, because their bytes may be hostile.
 
-The bytes of a file may be damaged or hostile. The child therefore can open and write no file, and
-has limits of time and, on Linux, of memory.
+The child can open and write no file, and has limits of time and, on Linux, of memory.
 """
 
 import faulthandler
@@ -76,10 +75,8 @@ def read_scan(
 ) -> HeightMap:
     """Read the central square of a map, or a line scan, in nm, not levelled.
 
-    `dataset` names a scan of a container, or a channel. `unit` ("nm", or "mm,nm" for positions and
-    heights) and `map_size`, the longer side in nm, serve files that state none. `mask` is one of
-    MASKS. Undefined pixels are filled if `undefined_pixels` is ``"harmonic"``. Raises ValueError,
-    in one line, if the scan cannot be used, or has undefined pixels that are not to be filled.
+    The arguments are those of `api.read_scan`. Raises ValueError, in one line, if the scan cannot
+    be used.
     """
     from hardcontact.scans.formats import read_fields
 
@@ -103,7 +100,7 @@ def read_in_child(
 ) -> dict[str, Any]:
     """Return the dictionary that a reader makes from the bytes of a file, in a child process.
 
-    Raises ValueError, one line with the path, if anything fails with the file or in the child.
+    Raises ValueError, one line with the path, if the file or the child fails.
     """
     size = _file_bytes(path)
     seconds = min(MAX_SECONDS, SMALL_FILE_SECONDS + SECONDS_PER_MEGABYTE * size // 2**20)
@@ -139,7 +136,6 @@ def read_in_child(
 
 
 def _file_bytes(path: Path) -> int:
-    """Return the size of a file in bytes; raises ValueError for no file, or a wrong size."""
     if path.is_dir():
         raise ValueError(
             f"{path}: expected a scan, found a folder: name a file in it; hardcontact "
@@ -163,7 +159,7 @@ def _run_child(
     path: Path,
     *arguments: str | float,
 ) -> None:
-    """Send the dictionary or the refusal of a file, without the log and the prints of readers."""
+    """Send the answer of a reader, whose log and prints are dropped."""
     faulthandler.disable()
     logging.disable()
     warnings.simplefilter("ignore")
@@ -189,16 +185,15 @@ def _run_child(
 
 
 def _replace_control_characters(value: Any) -> Any:
-    """Return a value whose texts have blanks for control characters."""
+    """Return a text, or a list of texts, with blanks for control characters."""
     if isinstance(value, list):
         return [_replace_control_characters(item) for item in value]
-    if not isinstance(value, str):
-        return value
-    return "".join(letter if letter.isprintable() else " " for letter in value)
+    if isinstance(value, str):
+        return "".join(letter if letter.isprintable() else " " for letter in value)
+    return value
 
 
 def _limit_resources(seconds: int, memory: int) -> None:
-    """Limit computing time and added memory of this process, and let it open no file."""
     limits = {
         resource.RLIMIT_CORE: 0,
         resource.RLIMIT_FSIZE: 0,  # writes nothing

@@ -85,7 +85,7 @@ class ReliableBand(NamedTuple):
 
 
 def reliable_band(scan: HeightMap, tip_radius: float | None, density: Floats) -> ReliableBand:
-    """Return the reliable wavelengths of a scan with a C_iso (bins,); None for an unknown tip."""
+    """Return the reliable wavelengths of a scan with C_iso `density` (bins,)."""
     pixel_end = MIN_PIXELS * scan.pixel_size, "pixels"
     shortest, limit = max([pixel_end, *_spectral_ends(scan, density)])
     band = ReliableBand(shortest, scan.size / MIN_WAVES_IN_SIZE, limited_by=limit)
@@ -113,8 +113,8 @@ def _spectral_ends(scan: HeightMap, density: Floats) -> list[tuple[float, str]]:
     )
     is_flat = slope - MIN_STANDARD_ERRORS * error > FLATTEST_SLOPE
     is_near_peak = _find_bins_near_peaks(np.log(density[is_resolved]), variance)
-    is_smoothed, is_flat = is_smoothed & ~is_near_peak, is_flat & ~is_near_peak
-
+    is_smoothed &= ~is_near_peak
+    is_flat &= ~is_near_peak
     unsmoothed_count = _count_unsmoothed(is_smoothed, len(q))
     above_floor_count = _count_above_floor(is_flat, unsmoothed_count)
     reliable_count = _count_unsmoothed(is_smoothed, above_floor_count)
@@ -128,7 +128,6 @@ def _spectral_ends(scan: HeightMap, density: Floats) -> list[tuple[float, str]]:
 
 
 def _find_bins_near_peaks(log_density: Floats, variance: Floats) -> NDArray[np.bool_]:
-    """Return the mask of bins within half a decade of a peak of the spectrum."""
     index = np.arange(len(log_density))
     distance = index - index[:, None]
     rise = log_density - log_density[:, None]

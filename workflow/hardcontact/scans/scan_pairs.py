@@ -1,7 +1,7 @@
 """Find pairs of scans that show the same area, and pairs that contradict each other.
 
-Scans of one area, such as trace and retrace, are one sample, not two. Scans that contradict each
-other, because of a wrong unit or another specimen, have a mean spectrum that describes neither.
+Scans of one area, such as trace and retrace, are one sample. The mean spectrum of scans that
+contradict each other, as with a wrong unit, describes neither.
 """
 
 import math
@@ -56,7 +56,7 @@ def coarse_map(scan: HeightMap) -> HeightMap:
 
 
 def earlier_scans_of_areas(scans: Sequence[HeightMap]) -> list[int | None]:
-    """Return for each levelled scan the index of an earlier scan of its area; None if it is new."""
+    """Return for each levelled scan the index of an earlier scan of its area, or None."""
     maps = [coarse_map(scan) for scan in scans]
     earlier_indices: list[int | None] = []
     for scan in maps:
@@ -76,10 +76,7 @@ def repetition_notes(scans: Sequence[HeightMap], names: Sequence[str]) -> dict[i
 
 
 def have_same_area(scan: HeightMap, other_scan: HeightMap) -> bool:
-    """Return True if two levelled maps from `coarse_map` show the same area; line scans show none.
-
-    If the halves of a map correlate as much, as on a grating, correlation proves nothing.
-    """
+    """Return True if two levelled scans from `coarse_map` are maps of the same area."""
     if "line scan" in (scan.kind, other_scan.kind):
         return False
     smaller, larger = sorted([scan, other_scan], key=lambda compared: compared.size)
@@ -91,6 +88,7 @@ def have_same_area(scan: HeightMap, other_scan: HeightMap) -> bool:
     other_waves = _short_waves(larger, pixel_size, longest_pixels)
     if _best_correlation(waves, other_waves) <= SAME_AREA_CORRELATION:
         return False
+    # If the halves of a map correlate as much, as on a grating, correlation proves nothing.
     halves = [np.array_split(waves, 2, axis=axis) for axis in (0, 1)]
     return all(_best_correlation(*pair) <= SAME_AREA_CORRELATION for pair in halves)
 
@@ -134,7 +132,7 @@ class Contradiction(NamedTuple):
 
 
 def describe_contradictions(contradictions: Sequence[Contradiction], names: Sequence[str]) -> str:
-    """Return a line on the first contradiction, with the names of scans, and a count."""
+    """Return a line on the first contradiction, and the number of others."""
     worst = contradictions[0]
     remainder = f"; more pairs that do: {len(contradictions) - 1}" if contradictions[1:] else ""
     shortest, longest = worst.wavelengths
@@ -150,7 +148,7 @@ def find_contradictions(
 ) -> list[Contradiction]:
     """Return the pairs of scans that contradict each other, the largest factor first.
 
-    Their C_iso `density` (scan, bins) is compared over all bins in which both are `reliable` (scan,
+    C_iso `density` (scan, bins) is compared over all bins in which both scans are `reliable` (scan,
     bins), and over each half decade of these bins.
     """
     usable = np.asarray(reliable, bool) & np.isfinite(density)

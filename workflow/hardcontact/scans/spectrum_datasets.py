@@ -1,8 +1,4 @@
-"""Datasets of spectra with the measurements, or the segments of a description, behind them.
-
-A spectrum is a table over `wavevector` (WAVEVECTORS), measurements over `bin_wavevector`
-(BIN_CENTRES).
-"""
+"""Datasets of spectra with the measurements, or the segments of a description, behind them."""
 
 import io
 from collections.abc import Mapping, Sequence
@@ -72,9 +68,8 @@ def add_measurements(
 ) -> xr.Dataset:
     """Add to a joined spectrum the measurements behind it.
 
-    `joined_density` (bins,) is NaN where no measurement is reliable; PSDs and `reliable` are
-    (measurement, bins). All PROPERTY_UNITS become variables over `measurement`, NaN or "" if
-    `properties` (a row per measurement) does not have them.
+    PSDs and `reliable` are (measurement, bins). All PROPERTY_UNITS become variables over
+    `measurement`, NaN or "" if `properties` (a row per measurement) does not have them.
     """
     axis = "bin_wavevector"
     axes = ("measurement", axis)
@@ -94,11 +89,7 @@ def add_measurements(
 
 
 def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
-    """Return a substitute spectrum in the form of a joined spectrum.
-
-    Its segments with DATA_EVIDENCE take the place of measurements. Adjacent segments from one
-    reference become one.
-    """
+    """Return a substitute spectrum like a joined one, its segments with DATA_EVIDENCE as scans."""
     segments = pd.read_csv(io.StringIO(substitute.attrs["segments"]))
     runs = _runs_of_one_reference(segments[segments.evidence.isin(DATA_EVIDENCE)])
     properties = runs.assign(
@@ -128,8 +119,7 @@ def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
 
 
 def _runs_of_one_reference(segments: pd.DataFrame) -> pd.DataFrame:
-    """Return the wavelengths and the reference of adjacent segments with the same reference."""
-    # Segments go from long to short wavelengths.
+    """Join adjacent segments, from long to short wavelengths, with the same reference."""
     previous = segments.shift()
     has_gap = segments.longest_nm != previous.shortest_nm
     begins = has_gap | (segments.source != previous.source)
@@ -141,10 +131,7 @@ def _runs_of_one_reference(segments: pd.DataFrame) -> pd.DataFrame:
 
 
 def stack_spectra(spectra: Mapping[str, xr.Dataset], labels: Mapping[str, str]) -> xr.Dataset:
-    """Stack the joined spectra of all surfaces, with labels and END_ATTRIBUTE_UNITS by surface.
-
-    Missing measurements are NaN, 0 or "".
-    """
+    """Stack the joined spectra of all surfaces, with labels and END_ATTRIBUTE_UNITS by surface."""
     numbered = [
         spectrum.drop_attrs(deep=False).assign_coords(
             measurement=range(spectrum.sizes["measurement"])

@@ -1,8 +1,8 @@
 """Condition a batch of substitute scans of one surface, so that the batch meets Table 1.
 
-Random scans meet it only on average. A smooth gain of amplitudes gives the batch the mean rms
-height, slope and curvature. A factor on the heights of each scan gives the batch the standard
-deviation of rms heights. The gain is bounded, so that a batch may miss slope or curvature.
+A smooth gain of amplitudes gives the batch the mean rms height, slope and curvature. A factor on
+the heights of each scan gives the batch the standard deviation of rms heights. The gain is bounded,
+so that a batch may miss slope or curvature.
 """
 
 from collections.abc import Sequence
@@ -28,8 +28,6 @@ from hardcontact.surfaces.synthesis import (
 )
 from hardcontact.surfaces.table1_calibration import AFM_ROWS, FIT_TOLERANCES, MET_ERROR
 
-#: Number of components of the gain, one for each AFM row of Table 1.
-COMPONENT_COUNT = 3
 #: Largest ratio of the amplitudes of a component and of the first component, or its inverse.
 MAX_AMPLITUDE_RATIO = 4.0
 
@@ -45,8 +43,7 @@ def scale_rms_heights(rms_heights: Floats, mean: float, std: float) -> Floats:
 def _component_shares(grid: ScanGrid) -> Floats:
     """Return the shares of amplitude of long, middle and short waves: (3, points of WAVEVECTORS).
 
-    They add up to one. Over the logarithm of the wavelength, from the size of a scan to two pixels,
-    each gives way to the next as a squared sine. The middle share has its peak halfway.
+    From the size of a scan to two pixels, each share gives way to the next as a squared sine.
     """
     longest, shortest = grid.size, 2 * grid.pixel_size
     log_position = np.log(longest * WAVEVECTORS / (2 * np.pi)) / np.log(longest / shortest)
@@ -56,8 +53,6 @@ def _component_shares(grid: ScanGrid) -> Floats:
 
 
 def _multiply_amplitudes(spectrum: SpectrumFunction, amplitude_gain: Floats) -> SpectrumFunction:
-    """Return a spectrum whose amplitudes are multiplied by a gain (points of WAVEVECTORS)."""
-
     def multiplied_spectrum(wavevector: Floats) -> Floats:
         with np.errstate(divide="ignore"):
             factors = np.interp(np.log(wavevector), np.log(WAVEVECTORS), amplitude_gain)
@@ -76,10 +71,7 @@ def _scan_components(substitute: Substitute, shares: Floats, scan_number: int) -
 
 
 def _metric_matrices(components: Sequence[HeightMap], names: Sequence[str]) -> Floats:
-    """Return a matrix G (component, component) for each metric.
-
-    The squared metric of a sum a_k h_k of components is aᵀ G a: it is quadratic in the heights.
-    """
+    """Return for each metric a matrix G: the square of the metric of a sum a_k h_k is aᵀ G a."""
 
     def squared_metrics(heights: np.ndarray) -> Floats:
         scan_metrics = metrics(replace(components[0], heights=heights))
@@ -99,14 +91,12 @@ def _metric_matrices(components: Sequence[HeightMap], names: Sequence[str]) -> F
 def _fit_batch(matrices: Floats, targets: Targets) -> tuple[Floats, Floats, Floats]:
     """Return the amplitudes (component,) and factors (scan,) that make scans meet their targets.
 
-    Bounded amplitudes may miss slope or curvature. Factors on heights have the mean 1. Also returns
-    the relative errors (3,) of the mean rms height, slope and curvature. The `matrices` are (scan,
-    metric, component, component).
+    Also returns the relative errors (3,) of the mean rms height, slope and curvature. The
+    `matrices` are (scan, metric, component, component).
     """
     means = np.array(list(targets.means.values()))
 
     def errors_and_factors(log_amplitudes: Floats) -> tuple[Floats, Floats]:
-        """Return the errors (3,), and the factors (scan,) that give scans their rms heights."""
         amplitudes = np.exp(np.append(0.0, log_amplitudes))
         scan_rms = np.sqrt(np.einsum("smij,i,j->sm", matrices, amplitudes, amplitudes))
         rms_heights = scan_rms[:, 0]
@@ -119,9 +109,8 @@ def _fit_batch(matrices: Floats, targets: Targets) -> tuple[Floats, Floats, Floa
         return mean_errors[1:]
 
     bound = np.log(MAX_AMPLITUDE_RATIO)
-    first_guess = np.zeros(COMPONENT_COUNT - 1)
     fit = scipy.optimize.least_squares(
-        slope_and_curvature_errors, first_guess, bounds=(-bound, bound), **FIT_TOLERANCES
+        slope_and_curvature_errors, np.zeros(2), bounds=(-bound, bound), **FIT_TOLERANCES
     )
     mean_errors, factors = errors_and_factors(fit.x)
     mean_factor = factors.mean()
@@ -134,8 +123,7 @@ def condition_batch(
 ) -> xr.Dataset:
     """Return the gain of amplitudes of a batch of scans, and each scan's factor on its heights.
 
-    ``amplitude_gain`` (wavevector) and ``factor`` (scan) are 1 without targets. The attribute
-    ``table1_rows_met`` lists the rows met. Raises ValueError if an rms height would be negative.
+    Both are 1 without targets. Raises ValueError if an rms height would not be positive.
     """
     amplitude_gain = np.ones_like(WAVEVECTORS)
     factors = np.ones(len(scan_numbers))

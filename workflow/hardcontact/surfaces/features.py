@@ -1,8 +1,7 @@
 """Substitute scans with bumps or pits on a Gaussian base, which agree with Table 1.
 
-A homogeneous Gaussian surface has nearly the same rms height in each scan. In Table 1 rms heights
-scatter much more, as rare features would explain. All features of a surface have one Gaussian
-shape; their positions are independent.
+A Gaussian surface has nearly the same rms height in each scan. In Table 1 rms heights scatter much
+more, as rare features would explain. All features of a surface have the same Gaussian shape.
 """
 
 from collections.abc import Mapping, Sequence
@@ -49,7 +48,7 @@ PERMITTED_SAMPLES = 100
 
 
 def alternating_kind(index: int) -> str:
-    """Return bumps for an even index, pits for an odd one."""
+    """Return bumps for an even index, pits for an odd index."""
     return list(FEATURE_SIGNS)[index % len(FEATURE_SIGNS)]
 
 
@@ -106,7 +105,7 @@ def featured_rms(
 ) -> Floats:
     """Return the expected rms height, slope and curvature of scans with features: (..., scan, 3).
 
-    `counts` (..., scan) are numbers of features, `added` (..., 3) the `feature_squares` of one.
+    `counts` (..., scan) are numbers of features, `added` (..., 3) are the `feature_squares`.
     """
     base_rms = np.asarray(base_factor)[..., None, None] * statistics.means
     squares: Floats = base_rms**2 + np.asarray(counts)[..., None] * added[..., None, :]
@@ -116,8 +115,8 @@ def featured_rms(
 def standardized_differences(rms_values: Floats, statistics: ScanStatistics) -> Floats:
     """Return the differences of scans (..., scan, 3) from published statistics, in standard errors.
 
-    First come the means. Of two or more scans, the standard deviations of rms height and slope
-    follow, whose relative standard error is 1/sqrt(2(n - 1)).
+    The means come first, then, for two scans or more, the deviations of rms height and slope. The
+    relative standard error of a deviation is 1/sqrt(2(n - 1)).
     """
     mean_errors = statistics.stds / np.sqrt(statistics.scan_count)
     differences = (rms_values.mean(axis=-2) - statistics.means) / mean_errors
@@ -131,10 +130,9 @@ def standardized_differences(rms_values: Floats, statistics: ScanStatistics) -> 
 def sample_permitted_features(
     rng: np.random.Generator, statistics: ScanStatistics, scan_count: int, grid: ScanGrid, sign: int
 ) -> Features:
-    """Sample features from the prior until Table 1 permits them.
+    """Sample features from the prior until none of their `standardized_differences` exceeds one.
 
-    Table 1 permits features if none of their `standardized_differences` exceeds one. Raises
-    ValueError if none of the samples is permitted.
+    Raises ValueError if no sample is permitted.
     """
     min_width = max(WIDTH_BOUNDS[0], MIN_WIDTH_PIXELS * grid.pixel_size)
     bounds = (DENSITY_BOUNDS, HEIGHT_BOUNDS, (min_width, WIDTH_BOUNDS[1]), BASE_FACTOR_BOUNDS)
@@ -180,17 +178,14 @@ def add_features(
 
 
 class FeaturedSurface(NamedTuple):
-    """The substitute, and the published statistics of its scans, to make scans with features."""
+    """A substitute, and the published statistics that its scans with features meet."""
 
     substitute: Substitute  #: Its spectrum is that of the base, before its factor.
     statistics: ScanStatistics
 
     def sample_features(self, kind: str, scan_count: int, *seed_words: object) -> Features:
-        """Sample the features of a surface, of one of FEATURE_KINDS.
-
-        A Gaussian surface is the base alone, with the published rms height over all scales.
-        """
-        if kind == GAUSSIAN:
+        """Sample the features of a surface, of one of FEATURE_KINDS."""
+        if kind == GAUSSIAN:  # The base alone has the published rms height over all scales.
             base_factor = self.statistics.all_rms_height / float(self.statistics.means[0])
             return Features(0.0, 0.0, np.nan, base_factor, (0,) * scan_count)
         grid = self.substitute.grid
@@ -199,7 +194,7 @@ class FeaturedSurface(NamedTuple):
         return sample_permitted_features(rng, self.statistics, scan_count, grid, sign)
 
     def to_variables(self, features: Features) -> dict[str, xr.Variable]:
-        """Return features as variables of a dataset."""
+        """Return features, and the rms height of the base, as variables."""
         base_rms_height = features.base_factor * float(self.statistics.means[0])
         return {
             "feature_density": xr.Variable((), features.number_density, {"units": "um-2"}),
@@ -226,7 +221,7 @@ def whole_surface(
 ) -> HeightMap:
     """Return a whole surface: with features, or Gaussian with a spectrum that Table 1 permits.
 
-    `description` is the path of the description of its spectrum, `number` that of the surface.
+    `description` is the path of the description of its spectrum.
     """
     if has_features:
         return _whole_featured_surface(featured_surface(substitute), number, pixels, pixel_size)
@@ -270,10 +265,7 @@ def sample_featured_scans(
 def nearest_featured_scans(
     surface: FeaturedSurface, scan_numbers: Sequence[int]
 ) -> tuple[Features, list[HeightMap]]:
-    """Return the scans whose features are nearest to Table 1 among PERMITTED_SAMPLES.
-
-    Bumps and pits alternate among the samples. No force enters the choice.
-    """
+    """Return the scans whose features are nearest to Table 1 among PERMITTED_SAMPLES."""
     choices = []
     for sample_number in range(PERMITTED_SAMPLES):
         kind = alternating_kind(sample_number)
@@ -289,10 +281,7 @@ def nearest_featured_scans(
 def make_featured_scans(
     substitute: Substitute, scan_numbers: Sequence[int]
 ) -> tuple[xr.Dataset, list[HeightMap]]:
-    """Return a dataset on the features of the `nearest_featured_scans`, and these scans.
-
-    The scans meet the AFM rows of Table 1 within its uncertainty.
-    """
+    """Return a dataset on the features of the `nearest_featured_scans`, and these scans."""
     surface = featured_surface(substitute)
     features, scans = nearest_featured_scans(surface, scan_numbers)
     variables = surface.to_variables(features)

@@ -1,7 +1,6 @@
 """Fourier interpolation and cutoff filters of periodic, square surfaces.
 
-The order of a Fourier mode is its number of waves across the surface: a wavelength is the size over
-the order. A surface without short waves needs only the lowest orders of its transform.
+The order of a Fourier mode is its number of waves across the surface.
 """
 
 from collections.abc import Iterator, Sequence
@@ -14,9 +13,8 @@ from numpy.typing import NDArray
 
 from hardcontact.surfaces.height_map import HeightMap
 
-#: Fourier transform over orders (y, x), in double precision.
+#: Fourier transforms over orders (y, x), in double and in single precision.
 Transform = NDArray[np.complex128]
-#: The same in single precision, as masters are transformed.
 SingleTransform = NDArray[np.complex64]
 AnyTransform = TypeVar("AnyTransform", Transform, SingleTransform)
 
@@ -27,7 +25,7 @@ BLOCK_ROWS = 64
 def lowpass(surface: HeightMap, cutoff: float) -> HeightMap:
     """Return a surface without waves shorter than a cutoff (nm), on the coarsest grid, in float64.
 
-    Raises ValueError for a cutoff up to two pixels.
+    Raises ValueError for a cutoff of two pixels or less.
     """
     order_limit = _order_limit(surface, cutoff)
     highest_order = int(order_limit)
@@ -40,7 +38,7 @@ def lowpass(surface: HeightMap, cutoff: float) -> HeightMap:
 
 def _order_limit(surface: HeightMap, cutoff: float) -> float:
     """Return the highest order of waves at least as long as a cutoff (nm), not rounded."""
-    # The margin keeps a wave at the cutoff among the longer ones in spite of rounding.
+    # The margin keeps a wave at the cutoff in spite of rounding.
     order_limit = surface.size / cutoff * (1 + 1e-12)
     if 2 * int(order_limit) + 2 > surface.pixels:
         raise ValueError(
@@ -63,12 +61,11 @@ def _transform_lowest_orders(surface: HeightMap, highest_order: int) -> Transfor
 
 
 def _signed_orders(highest_order: int) -> NDArray[np.int_]:
-    """Return orders along y as a transform has them: 0, 1, ..., -2, -1; negatives index its end."""
+    """Return orders along y as a transform has them: 0, 1, ..., -2, -1."""
     return np.append(np.arange(highest_order + 1), np.arange(-highest_order, 0))
 
 
 def _orders_on_grid(transform: AnyTransform, order_limit: float, pixels: int) -> AnyTransform:
-    """Return the orders of a transform up to a limit, padded with zeros to a grid of pixels."""
     highest_order = int(order_limit)
     orders = _signed_orders(highest_order)
     low_orders = transform[orders, : highest_order + 1]
@@ -124,9 +121,8 @@ def filtered_series(
 ) -> Iterator[HeightMap]:
     """Yield a surface without the wavelengths beyond each cutoff (nm); None removes none.
 
-    The side ``"short"`` removes shorter wavelengths, ``"long"`` longer ones. Each filtered surface
-    overwrites `out` (pixels, pixels), if given. Raises ValueError if wavelengths need more pixels,
-    or a cutoff is two pixels or less.
+    The side ``"short"`` removes shorter wavelengths, ``"long"`` longer ones. Filtered surfaces
+    overwrite `out` (pixels, pixels), if given. Raises ValueError if wavelengths need more pixels.
     """
     order_limits = [None if cutoff is None else _order_limit(surface, cutoff) for cutoff in cutoffs]
     highest_order = max((int(limit) for limit in order_limits if limit is not None), default=0)

@@ -145,7 +145,7 @@ def to_surface_topography(scan: HeightMap) -> "Topography | UniformLineScan":
 
 
 def mirror_scan(scan: HeightMap) -> HeightMap:
-    """Return a map (2y, 2x) of a scan and its mirror images, periodic because its edges match.
+    """Return a periodic map (2y, 2x) of a scan and its mirror images.
 
     Source: the paper, section Numerical Analysis of Results.
     """
@@ -155,7 +155,7 @@ def mirror_scan(scan: HeightMap) -> HeightMap:
 
 
 def mirror_in_float32(scan: HeightMap) -> HeightMap:
-    """Return the mirrored map of a levelled scan, in the precision of the study's files."""
+    """Return the mirrored map of a scan in float32, the precision of the study's files."""
     return mirror_scan(replace(scan, heights=scan.heights.astype(np.float32)))
 
 

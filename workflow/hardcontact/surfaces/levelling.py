@@ -56,8 +56,7 @@ def level_plane(scan: HeightMap) -> HeightMap:
 def squared_projections(phase: Floats) -> tuple[Floats, Floats]:
     """Return the shares of the variance of waves that the mean and the slope of a line contain.
 
-    Levelling removes them. The wave is exp(2 i `phase` u) for |u| <= 1/2. Its projections on 1 and
-    sqrt(12) u are spherical Bessel functions of the phase.
+    These are squared projections of exp(2 i `phase` u), |u| <= 1/2, on 1 and sqrt(12) u.
     """
     return scipy.special.spherical_jn(0, phase) ** 2, 3 * scipy.special.spherical_jn(1, phase) ** 2
 
@@ -65,8 +64,7 @@ def squared_projections(phase: Floats) -> tuple[Floats, Floats]:
 def level_lines(scan: HeightMap) -> HeightMap:
     """Return a scan without streaks, its lines along x aligned, minus its least-squares plane.
 
-    Each line loses its least-squares line and its median. This removes drift and jumps of the
-    feedback, but also real roughness whose wavevector points along y.
+    Aligned lines lose drift and jumps, but also real roughness whose wavevector points along y.
     """
     heights, is_filled = fill_streaks(level_plane(scan).heights)
     scan = replace(scan, heights=heights)
@@ -96,14 +94,14 @@ def remove_form(
 ) -> HeightMap:
     """Return a levelled scan; first the sphere that a map shows (radius in nm) is subtracted.
 
-    The sphere's apex is put at the centre: elsewhere it would only add a plane, which levelling
-    removes. A line scan loses only its mean line, whatever the other arguments.
+    A line scan loses only its least-squares line, whatever the other arguments.
     """
     if levelling not in LEVELLING_METHODS:
         raise ValueError(f"levelling: expected {', '.join(LEVELLING_METHODS)}, found {levelling}")
     if scan.kind == "line scan":
         return level_plane(scan)
     if sphere_radius is not None:
+        # Elsewhere than at the centre, the apex would only add a plane, which levelling removes.
         rows, columns = scan.heights.shape
         y = (np.arange(rows) - (rows - 1) / 2) * scan.pixel_size
         x = (np.arange(columns) - (columns - 1) / 2) * scan.pixel_size
@@ -120,10 +118,7 @@ MIRRORED_TITLE = "scan and its mirror images, periodic"
 def level_and_mirror(
     scan: HeightMap, sphere_radius: float | None = None, levelling: str = "plane"
 ) -> tuple[xr.Dataset, xr.Dataset]:
-    """Return a levelled map and its mirrored map as datasets, in float32.
-
-    The levelled scan of a sphere also has ``as_scanned``, the heights before levelling.
-    """
+    """Return a levelled map and its mirrored map as datasets, in float32."""
     refuse_line_scan(scan)
     flat = remove_form(scan, sphere_radius, levelling)
     levelled = flat.to_dataset()
@@ -135,17 +130,14 @@ def level_and_mirror(
 
 
 def _find_streaks(heights: Floats) -> Iterator[Mask]:
-    """Yield by width the mask (y, x) of streaks along x, all above or all below other lines.
-
-    Only the sign with more pixels counts, because a true line between two raised streaks looks
-    like a sunken one.
-    """
+    """Yield by width the mask (y, x) of streaks along x, all above or all below other lines."""
     for width in STREAK_WIDTHS:
         x_lengths = [_run_lengths(_high_runs(steps)) for steps in _rise_and_fall(heights, width)]
         y_lengths = [_run_lengths(_high_runs(steps)) for steps in _rise_and_fall(heights.T, width)]
         longest_along_y = max(lengths.max() for lengths in y_lengths)
         min_length = max(MIN_STREAK_PIXELS, MIN_LENGTH_RATIO * longest_along_y + 1)
         is_above, is_below = np.array(x_lengths) >= min_length
+        # A true line between two raised streaks looks like a sunken streak.
         yield is_above if is_above.sum() >= is_below.sum() else is_below
 
 
@@ -168,10 +160,9 @@ def fill_streaks(heights: Floats) -> tuple[Floats, Mask]:
 
 
 def _rise_and_fall(heights: Floats, width: int) -> tuple[Floats, Floats]:
-    """Return how far pixels rise above, and fall below, both lines `width` lines away.
+    """Return how far pixels rise above, and fall below, both lines `width` away, in typical steps.
 
-    Both results are in typical steps. At the border there is only one line if the width is 1; other
-    widths have NaN there.
+    A line at the border has one neighbour if the width is 1, and NaN otherwise.
     """
     padded = np.pad(heights, ((width, width), (0, 0)), constant_values=np.nan)
     line_before, line_after = padded[: -2 * width], padded[2 * width :]
@@ -184,13 +175,13 @@ def _rise_and_fall(heights: Floats, width: int) -> tuple[Floats, Floats]:
 
 
 def _label_runs(mask: Mask) -> NDArray[np.intp]:
-    """Return the number, from 1, of the run along x that has each pixel; 0 for no run."""
+    """Return the number (y, x) of the run along x that has each pixel; 0 for no run."""
     labels, _ = scipy.ndimage.label(mask, structure=[[0, 0, 0], [1, 1, 1], [0, 0, 0]])
     return np.asarray(labels, np.intp)
 
 
 def _run_lengths(mask: Mask) -> NDArray[np.intp]:
-    """Return the length in pixels of the run along x that has each pixel; 0 for no run."""
+    """Return the length (y, x) of the run along x that has each pixel; 0 for no run."""
     labels = _label_runs(mask)
     lengths = np.bincount(labels.ravel())
     lengths[0] = 0

@@ -74,7 +74,7 @@ def metrics(scan: HeightMap) -> dict[str, float]:
 
 
 def metrics_dataset(scan: HeightMap, names: Iterable[str]) -> xr.Dataset:
-    """Return some of the METRICS of a scan, by their names."""
+    """Return the METRICS of a scan with these names."""
     scan_metrics = metrics(scan)
     variables = {}
     for name in names:

@@ -62,7 +62,7 @@ def power_law_tail(density: Floats, hurst: float, shortest: float) -> Floats:
 def profile_over_isotropic(wavevector: Floats, hurst: float) -> Floats:
     """Return the ratio C_1D/C_iso in 1/nm of an isotropic C_iso ∝ q^(-2-2H).
 
-    C_1D(q_x) = (1/pi) ∫_0^∞ C_iso(sqrt(q_x² + q_y²)) dq_y, in closed form for a power law.
+    C_1D(q_x) = (1/pi) ∫_0^∞ C_iso(sqrt(q_x² + q_y²)) dq_y.
     """
     numerator, denominator = scipy.special.gamma([hurst + 0.5, hurst + 1])
     return np.asarray(wavevector / (2 * np.sqrt(np.pi)) * numerator / denominator)
@@ -73,8 +73,8 @@ def isotropic_through_points(wavevector: Floats, wavelengths: Floats, profile: F
     log_points = np.log(2 * np.pi / wavelengths)
     log_profile = np.log(profile)
     hurst = (-np.polyfit(log_points, log_profile, 1)[0] - 1) / 2
-    sort_indices = np.argsort(log_points)
-    log_points, log_profile = log_points[sort_indices], log_profile[sort_indices]
+    order = np.argsort(log_points)
+    log_points, log_profile = log_points[order], log_profile[order]
     log_wavevector = np.log(wavevector)
     # The first and the last segment are extrapolated beyond the points.
     segment = np.clip(np.searchsorted(log_points, log_wavevector) - 1, 0, len(log_points) - 2)

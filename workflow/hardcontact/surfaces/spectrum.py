@@ -44,7 +44,7 @@ PSD_ARGUMENTS = {"window": "hann", "reliable": False, "collocation": BIN_EDGES}
 
 
 def too_few_bins_message(scans: str, count: int, bands: str) -> str:
-    """Return the message that some scans are reliable in fewer than MIN_BINS bins."""
+    """Return the message that scans are reliable in fewer than MIN_BINS bins."""
     return (
         f"expected {scans} that are reliable in at least {MIN_BINS} bins of wavelengths (ten a "
         f"decade from 0.1 nm to 100 µm), found {count}: {bands}"
@@ -64,7 +64,7 @@ class Spectrum:
         return 2 * np.pi / self.wavevector
 
     def __repr__(self) -> str:
-        """Return the number of wavelengths, and the longest and the shortest."""
+        """Return the number of wavelengths, the shortest and the longest."""
         longest, shortest = self.wavelength[[0, -1]]
         return (
             f"Spectrum({len(self.wavevector)} wavelengths from {format_length(shortest)} to "
@@ -159,7 +159,7 @@ def profile_psd(scan: HeightMap) -> Floats:
 
 
 def _mark_empty_bins(density: ArrayLike) -> Floats:
-    """Return a PSD with NaN in bins without wavevectors, where SurfaceTopography has 0."""
+    """Return a PSD with NaN in empty bins, where SurfaceTopography has 0."""
     density = np.asarray(density, float)
     return np.where(density > 0, density, np.nan)
 

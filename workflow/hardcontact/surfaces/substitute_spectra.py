@@ -56,8 +56,7 @@ def spectrum_from_description(
 ) -> tuple[Floats, pd.DataFrame, list[str]]:
     """Return C_iso (nm⁴) on WAVEVECTORS, calibrated segments, and the rows of Table 1 they meet.
 
-    Given `segments` replace those of the file; both go from long to short wavelengths. Raises
-    ValueError if a calibration fails.
+    Given `segments` replace those of the file. Raises ValueError if a calibration fails.
     """
     segments = read_segments(path) if segments is None else segments.copy()
     density = np.zeros_like(WAVEVECTORS)
@@ -106,8 +105,8 @@ def sample_permitted_spectrum(
 ) -> Spectrum:
     """Sample a spectrum that Table 1 permits: that of the description, if it has no blanks.
 
-    AFM rows get random errors like those of means over the paper's scans. A given roll-off is
-    multiplied or divided by up to ROLLOFF_FACTOR. Raises ValueError if no sample can be calibrated.
+    AFM rows get random errors like those of means over the paper's scans. Raises ValueError if no
+    sample can be calibrated.
     """
     segments = read_segments(description)
     weights = paper_scan_weights(constants)
@@ -133,7 +132,7 @@ def sample_permitted_spectrum(
 
 
 def described_rms_height(path: str | Path, longest: float) -> float:
-    """Return the rms height (nm) of waves up to a wavelength, from a description without blanks."""
+    """Return the rms height of waves up to a wavelength (nm), from a description without blanks."""
     no_weights = np.empty(0), np.empty((3, 0))
     density, _, _ = spectrum_from_description(path, pd.DataFrame(), no_weights)
     is_kept = 2 * np.pi / WAVEVECTORS <= longest
@@ -143,10 +142,7 @@ def described_rms_height(path: str | Path, longest: float) -> float:
 def substitute_spectrum(
     description: str | Path, table1: pd.DataFrame, constants: pd.DataFrame
 ) -> xr.Dataset:
-    """Return the spectrum of a substitute from a description.
-
-    Its attributes are the segments, the calibrated rows of Table 1, and expected rms values.
-    """
+    """Return the spectrum of a substitute from a description."""
     weights = paper_scan_weights(constants)
     density, segments, calibrated_rows = spectrum_from_description(description, table1, weights)
     return spectrum_dataset(density).assign_attrs(

@@ -55,9 +55,8 @@ class Substitute:
     def targets(self) -> Targets | None:
         """Targets of scans on the study's pixels; None if no rms height is published.
 
-        Table 1 gives the rows that the spectrum is calibrated on: the rms height of scans of the
-        paper's size, and slope and curvature of scans that also have its pixels. All other targets
-        are expected values of scans with this spectrum.
+        They are the calibrated rows of Table 1: the rms height of scans of the paper's size, slope
+        and curvature of scans with its pixels, too. Others are expected values of the spectrum.
         """
         if "afm_rms_height" not in self.table1.index:
             return None

@@ -31,7 +31,7 @@ class ScanGrid(NamedTuple):
 
 
 def white_noise_transform(rng: np.random.Generator, pixels: int) -> SingleTransform:
-    """Return the transform (pixels, pixels/2 + 1) of white noise of unit variance, in complex64."""
+    """Return the transform (pixels, pixels/2 + 1) of white noise of unit variance."""
     return np.asarray(scipy.fft.rfft2(rng.standard_normal((pixels, pixels), dtype=np.float32)))
 
 
@@ -98,9 +98,8 @@ def short_edge_master(
 ) -> HeightMap:
     """Return a mirrored scan whose wavelengths below the transition (nm) are artificial.
 
-    As in the paper, C_iso of the random surface stays constant above the transition instead of
-    falling to zero; this also adds some long waves. Source: the paper, section Determining the Most
-    Relevant Length-scales of Roughness.
+    C_iso of the random surface is constant above the transition, which adds some long waves, as in
+    the paper, section Determining the Most Relevant Length-scales of Roughness.
     """
     long_waves = lowpass(mirrored, transition)
     transition_q = 2 * np.pi / transition
@@ -144,7 +143,7 @@ SIDES = tuple(SEED_WORDS)
 def master_generator(
     seed: int, surface_name: str, master_number: int, side: str, stream: str
 ) -> np.random.Generator:
-    """Return the random generator of a master; `stream` names the random numbers of its purpose."""
+    """Return the random generator of a master; `stream` names its purpose."""
     return generator(seed, surface_name, master_number, f"{SEED_WORDS[side]}-scale {stream}")
 
 

@@ -1,8 +1,7 @@
 """Calibrate spectra on Table 1: find parameters that give scans its rms values.
 
-The expected rms values of a scan are weighted sums of C_iso. A model of the waves that scans show
-is fitted to rms height, slope and curvature of the scans. A power law for shorter waves is fitted
-to slope and curvature over all scales.
+A model of the waves that scans show is fitted to rms height, slope and curvature of the scans. A
+power law for shorter waves is fitted to slope and curvature over all scales.
 """
 
 from functools import cache
@@ -49,8 +48,8 @@ TAIL_HURST_BOUNDS = (-6.0, 5.0)
 def scan_rms_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weights:
     """Return wavevectors (bins,) and weights (3, bins) for the expected rms values of a scan.
 
-    Squares of rms height, gradient and half-Laplacian are weights @ C_iso. The scan of
-    `window_pixels` per row is cut out of a periodic surface of `pixels` per row, and levelled.
+    Squared rms values are weights @ C_iso. The scan of `window_pixels` per row is cut out of a
+    periodic surface of `pixels` per row, and levelled.
     """
     q_y = 2 * np.pi * np.abs(np.fft.fftfreq(pixels, pixel_size))
     q_x = q_y[: pixels // 2 + 1]
@@ -142,7 +141,6 @@ def calibrate_tail(
         raise refusal
 
     def excess(hurst: float, shortest: float, index: int) -> float:
-        """Return ln(added/missing square) of the gradient (index 0) or the half-Laplacian (1)."""
         tail = power_law_tail(longer_waves, hurst, shortest)
         added = all_scales_rms(Spectrum(WAVEVECTORS, tail))[1 + index]
         return float(np.log(added**2 / missing_squares[index]))

@@ -48,8 +48,7 @@ def topography_dataset(
     """Return the topography of all surfaces: every scan, averages, spectra and example maps.
 
     `scans` come from `measured_roughness`, by surface and number, `conditionings` from
-    `condition_batch` or `make_featured_scans`. `examples` are levelled scans; that of a rough
-    sphere has `as_scanned`.
+    `condition_batch` or `make_featured_scans`, `examples` from `level_and_mirror`.
     """
     scan_table = stack(scans, ["surface", "scan"])
     surface_names = scan_table["surface"].values.tolist()
