@@ -28,20 +28,15 @@ HALF_BIN_RATIO = 10**0.05
 
 def combine_maps(rng: np.random.Generator, substrate: HeightMap, sphere: HeightMap) -> HeightMap:
     """Return the mirrored map of a mirrored substrate plus a mirrored sphere, shifted at random."""
+    sphere_pixels = round(sphere.size / substrate.pixel_size)
+    if sphere_pixels < sphere.pixels:  # Larger pixels cannot show waves below two of them.
+        sphere = lowpass(sphere, sphere.size / (sphere_pixels // 2 - 1))
+    roughness = interpolate(sphere, sphere_pixels).heights
     pixels = substrate.pixels // 2
-    roughness = _resample(sphere, substrate.pixel_size).heights
     rows, columns = (start + np.arange(pixels) for start in rng.integers(len(roughness), size=2))
     sphere_heights = roughness[np.ix_(rows % len(roughness), columns % len(roughness))]
     heights = substrate.heights[:pixels, :pixels] + sphere_heights
     return mirror_in_float32(replace(substrate, heights=heights))
-
-
-def _resample(surface: HeightMap, pixel_size: float) -> HeightMap:
-    """Return a periodic map on pixels of about a size (nm), without waves below two pixels."""
-    pixels = round(surface.size / pixel_size)
-    if pixels < surface.pixels:
-        surface = lowpass(surface, surface.size / (pixels // 2 - 1))
-    return interpolate(surface, pixels)
 
 
 def combine_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:

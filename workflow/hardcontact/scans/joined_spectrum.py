@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
+import scipy
 import xarray as xr
 from numpy.typing import NDArray
 
@@ -21,24 +22,20 @@ from hardcontact.scans.extrapolation import (
     fit_hurst_exponent,
     is_tail_known,
 )
-from hardcontact.scans.mean_spectrum import (
-    Curve,
-    MeanBins,
-    match_height_variance,
-    mean_bins,
-    smooth_curve_without_peaks,
-)
 from hardcontact.scans.measured_spectrum import (
     CALIBRATION_SCATTER,
+    bias_of_log,
     independent_modes,
     isotropic_psd,
     local_slopes,
+    variance_of_log,
 )
 from hardcontact.scans.reliable_band import ReliableBand, limit_by_tip, reliable_band
 from hardcontact.scans.spectrum_datasets import add_measurements, scan_properties
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
+    BIN_WIDTH,
     MIN_BINS,
     WAVEVECTORS,
     Spectrum,
@@ -49,6 +46,113 @@ from hardcontact.surfaces.spectrum import (
 
 #: Shortest and longest radius in nm of an unknown tip: a new tip, a blunt tip.
 UNKNOWN_TIP_RADII = (5.0, 50.0)
+#: Standard deviation of the change of the slope d ln C/d ln q over a decade. A roll-off changes the
+#: slope by 2 + 2H, some 3.6, once in three measured decades.
+SLOPE_CHANGE = 2.0
+#: A bin holds a peak, such as a grating's, if chance gives so much power with less than this
+#: probability. Among 60 bins, one in 170 spectra has a false peak.
+PEAK_PROBABILITY = 1e-4
+#: Bound of the search in `_match_height_variance`: no ln C changes so much.
+MAX_LOG_CHANGE = 20.0
+
+
+class _MeanBins(NamedTuple):
+    """The mean of all scans in each bin; NaN in bins in which no scan is reliable."""
+
+    density: Floats  #: (bins,) C_iso in nm⁴ from the mean of ln C, without its bias.
+    variance: Floats  #: (bins,) variance of ln C, from the number of modes alone.
+    power: Floats  #: (bins,) mean C_iso in nm⁴.
+    is_peak: NDArray[np.bool_]  #: (bins,) True where a grating, for example, adds power.
+
+
+class _Curve(NamedTuple):
+    """A spectrum at the centres of the bins, from the lowest to the highest measured bin."""
+
+    wavevector: Floats  #: rad/nm.
+    density: Floats  #: C_iso in nm⁴.
+    variance: Floats  #: Variance of ln C, with that of the calibration.
+
+
+def _mean_bins(reliable: NDArray[np.bool_], density: Floats, modes: Floats) -> _MeanBins:
+    """Return the mean over scans of their reliable C_iso (scan, bins) in nm⁴."""
+    mode_variance = variance_of_log(modes)
+    weight = np.where(reliable, 1 / (mode_variance + CALIBRATION_SCATTER**2), 0.0)
+    logs = np.where(reliable, np.log(density) + bias_of_log(modes), 0.0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        weight = weight / weight.sum(axis=0)
+    variance = (weight**2 * mode_variance).sum(axis=0)
+    power = (weight * np.where(reliable, density, 0.0)).sum(axis=0)
+    mean_density = np.exp((weight * logs).sum(axis=0))
+    return _MeanBins(mean_density, variance, power, _find_peaks(mean_density, variance, power))
+
+
+def _find_peaks(density: Floats, variance: Floats, power: Floats) -> NDArray[np.bool_]:
+    """Return the mask of peaks: inner bins with more power than a smooth spectrum has by chance."""
+    inner = np.flatnonzero(np.isfinite(density))[1:-1]
+    modes = 1 / variance[inner] + 0.5  # inverts the variance, trigamma(n) ≈ 1/(n - 0.5)
+    is_peak = np.zeros(len(power), bool)
+    while True:
+        curve = smooth_curve(np.where(is_peak, np.nan, density), variance)
+        smooth_power = Spectrum(curve.wavevector, curve.density)(BIN_CENTRES[inner])
+        # The power of n modes over its mean is a gamma variable.
+        chance = scipy.special.gammaincc(modes, modes * power[inner] / smooth_power)
+        new_peaks = inner[(chance < PEAK_PROBABILITY) & ~is_peak[inner]]
+        if not len(new_peaks):
+            return is_peak
+        is_peak[new_peaks] = True
+
+
+def smooth_curve(
+    density: Floats, variance: Floats, rng: np.random.Generator | None = None
+) -> _Curve:
+    """Return a smooth curve through bins and gaps; with `rng`, a sample of the posterior.
+
+    C_iso (bins,) is NaN in gaps. The slope d ln C/d ln q is a Wiener process, so that the posterior
+    mean is a smoothing spline (Wahba, J. R. Stat. Soc. B 40 (1978) 364).
+    """
+    finite = np.flatnonzero(np.isfinite(density))
+    bins = slice(finite[0], finite[-1] + 1)
+    weight = np.where(np.isfinite(density), 1 / variance, 0.0)[bins]
+    count = len(weight)
+    slope_change = SLOPE_CHANGE * np.sqrt(BIN_WIDTH / np.log(10))  # from bin to bin
+    bends = np.diff(np.eye(count), n=2, axis=0) / (BIN_WIDTH * slope_change)
+    posterior = np.linalg.inv(np.diag(weight) + bends.T @ bends)
+    logs = np.log(np.where(weight > 0, density[bins], 1.0))
+    curve = np.zeros(count)
+    if rng is not None:  # A prior sample, plus the posterior mean of its distance to the data.
+        curve = BIN_WIDTH * np.cumsum(np.cumsum(slope_change * rng.standard_normal(count)))
+        noise = np.where(weight > 0, np.sqrt(variance[bins]), 0.0)
+        logs = logs - curve - noise * rng.standard_normal(count)
+    smooth = curve + posterior @ (weight * logs)
+    return _Curve(BIN_CENTRES[bins], np.exp(smooth), np.diag(posterior) + CALIBRATION_SCATTER**2)
+
+
+def _smooth_curve_without_peaks(bins: _MeanBins, rng: np.random.Generator | None = None) -> _Curve:
+    """Return a smooth curve through the bins without a peak; peaks keep their power."""
+    curve = smooth_curve(np.where(bins.is_peak, np.nan, bins.density), bins.variance, rng)
+    is_in_curve = np.isin(BIN_CENTRES, curve.wavevector)
+    density = np.where(bins.is_peak[is_in_curve], bins.power[is_in_curve], curve.density)
+    return curve._replace(density=density)
+
+
+def _match_height_variance(curve: _Curve, power: Floats) -> _Curve:
+    """Return a curve changed so that its variance of heights is that of the mean C_iso `power`.
+
+    Each ln C changes in proportion to its variance and to its share in the variance of heights. To
+    first order, this curve is the most likely one. Gaps, in which `power` is NaN, do not count.
+    """
+    wavevector, density, variance = curve
+    power = power[np.isin(BIN_CENTRES, wavevector)]
+    total = np.nansum(power * wavevector**2)
+    share = np.where(np.isfinite(power), density * wavevector**2 / total, 0.0)
+    direction = (variance - CALIBRATION_SCATTER**2) * share
+
+    def relative_excess(multiplier: float) -> float:
+        return float((share * np.exp(multiplier * direction)).sum() - 1)
+
+    bound = MAX_LOG_CHANGE / direction.max()
+    multiplier = scipy.optimize.brentq(relative_excess, -bound, bound)
+    return curve._replace(density=density * np.exp(multiplier * direction))
 
 
 class _MeasuredSpectra(NamedTuple):
@@ -96,8 +200,8 @@ def joined_spectrum(scans: Sequence[HeightMap], tip_radii: Sequence[float | None
     """
     measured = _measured_spectra(scans, tip_radii)
     reliable = _reliable_mask(measured.densities, measured.bands)
-    bins = mean_bins(reliable, measured.densities, measured.modes)
-    curve = match_height_variance(smooth_curve_without_peaks(bins), bins.power)
+    bins = _mean_bins(reliable, measured.densities, measured.modes)
+    curve = _match_height_variance(_smooth_curve_without_peaks(bins), bins.power)
     mean_density = Spectrum(curve.wavevector, curve.density)(BIN_CENTRES)
     joined_density = np.where(reliable.any(axis=0), mean_density, np.nan)
     hurst = _fit_hurst_without_peaks(bins)
@@ -144,8 +248,8 @@ def sample_spectra(
         # extrapolation.
         mean_log = log_power_factors.mean()
         densities = measured.densities * np.exp(log_power_factors - mean_log)[:, None]
-        bins = mean_bins(reliable, densities, measured.modes)
-        curve = smooth_curve_without_peaks(bins, rng)
+        bins = _mean_bins(reliable, densities, measured.modes)
+        curve = _smooth_curve_without_peaks(bins, rng)
         hurst = _fit_hurst_without_peaks(bins)
         hurst_deviation = hurst.error * rng.standard_normal()
         density, *_ = _extrapolate_curve(
@@ -164,7 +268,7 @@ def _sample_reliable_band(
     return limit_by_tip(band, scan, tip_radius)
 
 
-def _fit_hurst_without_peaks(bins: MeanBins) -> HurstFit:
+def _fit_hurst_without_peaks(bins: _MeanBins) -> HurstFit:
     is_fitted = np.isfinite(bins.density) & ~bins.is_peak
     return fit_hurst_exponent(
         BIN_CENTRES[is_fitted], bins.density[is_fitted], bins.variance[is_fitted]
@@ -172,7 +276,7 @@ def _fit_hurst_without_peaks(bins: MeanBins) -> HurstFit:
 
 
 def _extrapolate_curve(
-    curve: Curve,
+    curve: _Curve,
     hurst: HurstFit,
     rolloff_evidence: RolloffEvidence,
     rolloff_probability: float = 0.5,

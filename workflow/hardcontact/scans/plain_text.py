@@ -6,19 +6,21 @@ points x, y, height.
 
 import codecs
 import re
+from itertools import product
 
 import numpy as np
+from numpy.typing import NDArray
+from scipy import ndimage
 
 from hardcontact.base.arrays import Floats
-from hardcontact.scans.point_grid import grid_points
+from hardcontact.scans.heights import MAX_UNDEFINED_SHARE, PIXEL_BOUNDS, POSITION_ROUNDING
 
 #: Bytes that no text has, but for UTF-16.
 BINARY = re.compile(rb"[\0-\x08\x0e-\x1f]")
 #: A line or a cell of numbers and marks of undefined pixels.
 NUMBERS = re.compile(r"(?=.*(?:\d|nan|bad))(?:[-+.,;\s\d]|e(?=[-+\d])|nan|inf|bad)+", re.I)
-#: Commas within numbers.
+#: Commas are decimal if they stand between digits, and other signs between numbers.
 DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")
-#: Commas between numbers.
 OTHER_COMMA = re.compile(r"(?<!\d),|,(?!\d)|,\d+,")
 BETWEEN_CELLS = re.compile(r"\d[ \t;]+[-+\d]")
 CELL = re.compile(r"[^\s,;]+")
@@ -26,6 +28,14 @@ CELL = re.compile(r"[^\s,;]+")
 POINT_COLUMNS = 3
 #: Beginnings of texts whose readers know their own separators.
 OWN_SEPARATORS = ("X;Y;valid", "Scan Parameters")
+#: Bins of positions along an axis.
+POSITION_BINS = 2**16
+#: Zeros pad the histogram of positions to this multiple of its length before its Fourier transform.
+#: Peaks are then known to a sixteenth of a line.
+ZERO_PADDING = 8
+#: Corrections of heights on a grid. Each leaves at most a quarter of the error, if points lie a
+#: tenth of a spacing beside the grid.
+SPLINE_ITERATIONS = 10
 
 
 def readable_text(content: bytes) -> tuple[bytes, list[str]]:
@@ -41,13 +51,15 @@ def readable_text(content: bytes) -> tuple[bytes, list[str]]:
     lines[first_row:] = [_mark_undefined(line, width) for line in lines[first_row:]]
     row_indices = [index for index, line in enumerate(lines) if NUMBERS.fullmatch(line)]
     notes = []
-    if _has_decimal_commas("\n".join(lines[index] for index in row_indices)):
+    numbers = "\n".join(lines[index] for index in row_indices)
+    has_commas_alone = "," in numbers and "." not in numbers and not OTHER_COMMA.search(numbers)
+    if has_commas_alone and BETWEEN_CELLS.search(numbers):
         lines = [DECIMAL_COMMA.sub(".", line) for line in lines]
         notes.append("decimal commas read")
     if not text.startswith(OWN_SEPARATORS):
         rows = _separate_with_blanks([lines[index] for index in row_indices])
         points = _parse_points(rows)
-        grid_rows, grid_notes = ([], []) if points is None else grid_points(points)
+        grid_rows, grid_notes = ([], []) if points is None else _grid_points(points)
         notes += grid_notes
         if grid_rows:
             lines = [*lines[:first_row], *grid_rows]
@@ -78,12 +90,6 @@ def _mark_undefined(line: str, width: int) -> str:
     return CELL.sub(lambda cell: cell[0] if NUMBERS.fullmatch(cell[0]) else "nan", line)
 
 
-def _has_decimal_commas(rows: str) -> bool:
-    """Return True if all commas in rows are decimal, because other signs separate the numbers."""
-    has_commas_alone = "," in rows and "." not in rows and not OTHER_COMMA.search(rows)
-    return has_commas_alone and bool(BETWEEN_CELLS.search(rows))
-
-
 def _separate_with_blanks(rows: list[str]) -> list[str]:
     """Return rows with blanks in place of semicolons or commas; empty cells are undefined."""
     separator = next((sign for sign in ";," if any(sign in row for row in rows)), None)
@@ -104,3 +110,85 @@ def _parse_points(rows: list[str]) -> Floats | None:
         return np.array(cells, float)
     except ValueError:  # a mark of an undefined pixel
         return None
+
+
+def _grid_points(points: Floats) -> tuple[list[str], list[str]]:
+    """Return texts "x y height" of all points of a grid, with nan for missing points, and notes.
+
+    Return no texts if points (n, 3) need none, fill less than half of a grid, or share a pixel.
+    """
+    axes = [_grid_axis(positions) for positions in points[:, :2].T]
+    if not all(len(axis) for axis in axes):
+        return [], []
+    steps = [np.ptp(axis) / (len(axis) - 1) for axis in axes]
+    corner = [axis[0] for axis in axes]
+    positions_in_steps = (points[:, :2] - corner) / steps
+    indices = np.rint(positions_in_steps).astype(np.intp)
+    shape = (len(axes[0]), len(axes[1]))
+    pixel_indices = np.ravel_multi_index(indices.T, shape)
+    size = shape[0] * shape[1]
+    shares_pixels = len(np.unique(pixel_indices)) < len(pixel_indices)
+    if shares_pixels or len(pixel_indices) < (1 - MAX_UNDEFINED_SHARE) * size:
+        return [], []
+    offsets = positions_in_steps - indices
+    distance = float(np.abs(offsets).max())
+    is_beside = distance > POSITION_ROUNDING
+    if len(pixel_indices) == size and not is_beside:
+        return [], []
+    heights = np.full(size, np.nan)
+    heights[pixel_indices] = points[:, 2]
+    notes = []
+    if is_beside:
+        heights = _heights_on_grid(heights.reshape(shape), indices, offsets).ravel()
+        notes = [f"points up to {distance:.2g} spacings beside a grid interpolated on it"]
+    positions = product(*(axis.tolist() for axis in axes))
+    rows = zip(positions, heights.tolist(), strict=True)
+    return [f"{x:.17g} {y:.17g} {height:.17g}" for (x, y), height in rows], notes
+
+
+def _heights_on_grid(heights: Floats, indices: NDArray[np.intp], offsets: Floats) -> Floats:
+    """Return heights (x, y) on a grid whose cubic spline passes through points beside it.
+
+    The points have indices and offsets (n, 2) in spacings.
+    """
+    is_missing = np.isnan(heights)
+    nearest = ndimage.distance_transform_edt(
+        is_missing, return_distances=False, return_indices=True
+    )
+    known_heights = heights[tuple(nearest)]
+    positions = np.indices(heights.shape, dtype=float)
+    positions[:, indices[:, 0], indices[:, 1]] += offsets.T
+    grid_heights = known_heights
+    for _ in range(SPLINE_ITERATIONS):
+        spline = ndimage.map_coordinates(grid_heights, positions, order=3, mode="nearest")
+        grid_heights = grid_heights + known_heights - spline
+    return np.where(is_missing, np.nan, grid_heights)
+
+
+def _grid_axis(positions: Floats) -> Floats:
+    """Return evenly spaced positions (k,) of a grid near positions; none if these are all equal."""
+    extent = float(np.ptp(positions))
+    if not 0 < extent < np.inf:
+        return np.empty(0)
+    steps = np.diff(np.unique(positions))
+    spacing = np.median(steps[steps > POSITION_ROUNDING * steps.max()])
+    if extent <= spacing * PIXEL_BOUNDS[1]:
+        axis = np.linspace(positions.min(), positions.max(), round(extent / spacing) + 1)
+        nearest = np.rint((positions - axis[0]) / extent * (len(axis) - 1)).astype(np.intp)
+        if (np.abs(axis[nearest] - positions) <= POSITION_ROUNDING * spacing).all():
+            return axis
+    return _crowded_axis(positions, extent)
+
+
+def _crowded_axis(positions: Floats, extent: float) -> Floats:
+    """Return the evenly spaced positions (k,) near which positions (n,) crowd most."""
+    counts, edges = np.histogram(positions, POSITION_BINS)
+    crowding = np.fft.rfft(counts, ZERO_PADDING * POSITION_BINS)
+    minimum, maximum = (ZERO_PADDING * (count - 1) for count in PIXEL_BOUNDS)
+    peak = minimum + int(np.abs(crowding[minimum : maximum + 1]).argmax())
+    spacing = ZERO_PADDING * extent / peak
+    # The phase of the peak gives the offset of the lines from the centre of the first bin.
+    offset = 0.5 / POSITION_BINS * extent - np.angle(crowding[peak]) / (2 * np.pi) * spacing
+    first_step = round((positions.min() - edges[0] - offset) / spacing)
+    last_step = round((positions.max() - edges[0] - offset) / spacing)
+    return np.asarray(edges[0] + offset + spacing * np.arange(first_step, last_step + 1))

@@ -91,7 +91,16 @@ def add_measurements(
 def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
     """Return a substitute spectrum like a joined one, its segments with DATA_EVIDENCE as scans."""
     segments = pd.read_csv(io.StringIO(substitute.attrs["segments"]))
-    runs = _runs_of_one_reference(segments[segments.evidence.isin(DATA_EVIDENCE)])
+    segments = segments[segments.evidence.isin(DATA_EVIDENCE)]
+    # Adjacent segments, from long to short wavelengths, with the same reference become one.
+    previous = segments.shift()
+    has_gap = segments.longest_nm != previous.shortest_nm
+    begins = has_gap | (segments.source != previous.source)
+    runs = segments.groupby(begins.cumsum()).agg(
+        shortest_reliable=("shortest_nm", "last"),
+        longest_reliable=("longest_nm", "first"),
+        notes=("source", "first"),
+    )
     properties = runs.assign(
         longest_reliable=runs.longest_reliable.clip(upper=2 * np.pi / WAVEVECTORS[0]),
         kind="description",
@@ -103,10 +112,12 @@ def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
     shortest = properties.shortest_reliable.to_numpy()[:, None]
     longest = properties.longest_reliable.to_numpy()[:, None]
     reliable = (shortest < wavelength) & (wavelength <= longest)
-    joined_density = np.where(reliable.any(axis=0), density, np.nan)
-    psds = np.where(reliable, density, np.nan)
     return add_measurements(
-        substitute[["spectrum"]], joined_density, psds, reliable, properties
+        substitute[["spectrum"]],
+        joined_density=np.where(reliable.any(axis=0), density, np.nan),
+        psds=np.where(reliable, density, np.nan),
+        reliable=reliable,
+        properties=properties,
     ).assign_attrs(
         source="substitute",
         table1_rows_met=substitute.attrs["table1_rows_met"],
@@ -115,18 +126,6 @@ def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
         **Tail()._asdict(),
         tail_known=1,
         rolloff=np.nan,
-    )
-
-
-def _runs_of_one_reference(segments: pd.DataFrame) -> pd.DataFrame:
-    """Join adjacent segments, from long to short wavelengths, with the same reference."""
-    previous = segments.shift()
-    has_gap = segments.longest_nm != previous.shortest_nm
-    begins = has_gap | (segments.source != previous.source)
-    return segments.groupby(begins.cumsum()).agg(
-        shortest_reliable=("shortest_nm", "last"),
-        longest_reliable=("longest_nm", "first"),
-        notes=("source", "first"),
     )
 
 

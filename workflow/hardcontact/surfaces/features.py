@@ -223,24 +223,17 @@ def whole_surface(
 
     `description` is the path of the description of its spectrum.
     """
-    if has_features:
-        return _whole_featured_surface(featured_surface(substitute), number, pixels, pixel_size)
-    rng = substitute.generator(number, "permitted spectrum")
-    table1, constants = substitute.table1, substitute.constants
-    spectrum = sample_permitted_spectrum(rng, description, table1, constants)
     rng = substitute.generator(number, "whole surface")
-    return random_surface(rng, pixels, pixel_size, spectrum)
-
-
-def _whole_featured_surface(
-    surface: FeaturedSurface, number: int, pixels: int, pixel_size: float
-) -> HeightMap:
-    """Sample a periodic surface; bumps if its number is odd, pits if it is even."""
+    if not has_features:
+        spectrum_rng = substitute.generator(number, "permitted spectrum")
+        spectrum = sample_permitted_spectrum(
+            spectrum_rng, description, substitute.table1, substitute.constants
+        )
+        return random_surface(rng, pixels, pixel_size, spectrum)
+    surface = featured_surface(substitute)
     kind = alternating_kind(number - 1)
     scan_count = surface.statistics.scan_count
     features = surface.sample_features(kind, scan_count, number, "whole surface")
-    substitute = surface.substitute
-    rng = substitute.generator(number, "whole surface")
     base = random_surface(rng, pixels, pixel_size, substitute.spectrum)
     base = replace(base, heights=np.float32(features.base_factor) * base.heights)
     rng = substitute.generator(number, "whole surface", "features")

@@ -5,7 +5,6 @@ The order of a Fourier mode is its number of waves across the surface.
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import TypeVar
 
 import numpy as np
 import scipy
@@ -13,10 +12,8 @@ from numpy.typing import NDArray
 
 from hardcontact.surfaces.height_map import HeightMap
 
-#: Fourier transforms over orders (y, x), in double and in single precision.
-Transform = NDArray[np.complex128]
-SingleTransform = NDArray[np.complex64]
-AnyTransform = TypeVar("AnyTransform", Transform, SingleTransform)
+#: Fourier transform over orders (y, x).
+Transform = NDArray[np.complexfloating]
 
 #: Rows in a block: no step holds a second full-size array, and a block fits the cache.
 BLOCK_ROWS = 64
@@ -65,7 +62,7 @@ def _signed_orders(highest_order: int) -> NDArray[np.int_]:
     return np.append(np.arange(highest_order + 1), np.arange(-highest_order, 0))
 
 
-def _orders_on_grid(transform: AnyTransform, order_limit: float, pixels: int) -> AnyTransform:
+def _orders_on_grid(transform: Transform, order_limit: float, pixels: int) -> Transform:
     highest_order = int(order_limit)
     orders = _signed_orders(highest_order)
     low_orders = transform[orders, : highest_order + 1]
@@ -103,7 +100,7 @@ def _refuse_coarser(coarse_pixels: int, pixels: int) -> None:
         )
 
 
-def _inverse_blocks(padded: AnyTransform) -> Iterator[tuple[slice, NDArray[np.floating]]]:
+def _inverse_blocks(padded: Transform) -> Iterator[tuple[slice, NDArray[np.floating]]]:
     """Yield the inverse transform of `padded` (pixels, k) in blocks of rows; overwrites it."""
     pixels = len(padded)
     padded = scipy.fft.ifft(padded, axis=0, overwrite_x=True)

@@ -12,7 +12,7 @@ import numpy as np
 import scipy
 
 from hardcontact.base.arrays import Floats, generator
-from hardcontact.surfaces.filters import BLOCK_ROWS, SingleTransform, interpolate, lowpass
+from hardcontact.surfaces.filters import BLOCK_ROWS, Transform, interpolate, lowpass
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import SpectrumFunction
 
@@ -30,12 +30,12 @@ class ScanGrid(NamedTuple):
         return self.size / self.pixels
 
 
-def white_noise_transform(rng: np.random.Generator, pixels: int) -> SingleTransform:
+def white_noise_transform(rng: np.random.Generator, pixels: int) -> Transform:
     """Return the transform (pixels, pixels/2 + 1) of white noise of unit variance."""
     return np.asarray(scipy.fft.rfft2(rng.standard_normal((pixels, pixels), dtype=np.float32)))
 
 
-def _set_psd(transform: SingleTransform, pixel_size: float, spectrum: SpectrumFunction) -> None:
+def _set_psd(transform: Transform, pixel_size: float, spectrum: SpectrumFunction) -> None:
     """Scale the transform of white noise, in place, so that its surface has a spectrum.
 
     White noise of unit variance has C_iso = pixel area. Wavevectors of opposite y have equal C_iso.
@@ -70,7 +70,7 @@ def sample_scan(
 
 
 def scan_of_noise(
-    transform: SingleTransform, spectrum: SpectrumFunction, grid: ScanGrid, factor: float = 1.0
+    transform: Transform, spectrum: SpectrumFunction, grid: ScanGrid, factor: float = 1.0
 ) -> HeightMap:
     """Return the scan that a transform of white noise makes: the corner of a random surface."""
     scaled = transform.copy()
