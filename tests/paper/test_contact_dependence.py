@@ -7,11 +7,7 @@ from scipy import stats
 
 from hardcontact.base.statistics import Sampling, interval_ends
 from hardcontact.contact.contact import CONTACT_MODELS
-from hardcontact.paper.contact_dependence import (
-    compute_edge_shifts,
-    edge_exponents,
-    force_exponent,
-)
+from hardcontact.paper.contact_dependence import compute_edge_shifts, edge_exponents, force_exponent
 
 RADII, AREAS = [1e4, 1e5, 1e6], [50.0, 400.0, 3200.0]
 #: The contact touches another area on the larger pixels of long-edge masters.

@@ -9,12 +9,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.arrays import Floats
-from hardcontact.base.statistics import (
-    Sampling,
-    as_variables,
-    jackknife_interval,
-    student_interval,
-)
+from hardcontact.base.statistics import Sampling, as_variables, jackknife_interval, student_interval
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES, CONTACT_MODELS, PLASTIC, RIGID
 from hardcontact.inference.edges import edges_of_masters, find_edges, logarithmic_limits

@@ -54,11 +54,11 @@ class SetSettings(NamedTuple):
     """Settings of the sampling and of the judgement."""
 
     seed: int  #: Seed of the study.
-    set_count: int  #: Number of sets.
+    set_count: int
     master_count: int  #: Number of masters of each substrate in a set.
     reference_surface: str  #: Surface whose mean force is the denominator of force ratios.
     tolerance: float  #: Relative change of the force that defines an edge.
-    confidence: float  #: Confidence of the intervals.
+    confidence: float
 
 
 def sphere_factor(adhesion: xr.Dataset, sampled_substrates: Sequence[str]) -> xr.DataArray:
@@ -97,8 +97,8 @@ def topography_of_set(
     # Spectra, not scans, determine roughness of all scales: it is that of the study.
     all_scales = [name for name in topography if str(name).startswith("all_scales_")]
     unchanged = topography[[*all_scales, "label", "source", "table1_rows_met"]]
-    datasets = [unchanged, set_scans, scan_averages(set_scans, confidence)]
-    return xr.merge(datasets, combine_attrs="override")
+    averages = scan_averages(set_scans, confidence)
+    return xr.merge([unchanged, set_scans, averages], combine_attrs="override")
 
 
 def adhesion_of_set(

@@ -16,7 +16,7 @@ from hardcontact.paper.claims.verdicts import BY_CONSTRUCTION, EXPERIMENT, ONE_S
 
 #: Surfaces of the paper. A study may lack some.
 SURFACES = ("polished_uncd", "uncd", "ncd", "mcd", "ruby")
-#: The labels of each dimension that claims may select. If an entry is empty, labels are numbers.
+#: The labels of each dimension that claims may select; an empty entry stands for numbers.
 LABELS: dict[str, Sequence[str]] = {
     "surface": SURFACES, "group": (MEAN_GROUP, *SURFACES), "left_out": ("none", *SURFACES),
     "contact_model": CONTACT_MODELS, "side": ("short", "long"), "pair": ("published", "fitted"),
@@ -122,11 +122,8 @@ def claim_basis(claim: Claim, surfaces: list[str], topography: xr.Dataset) -> st
     """Return the basis of a claim: ``measured``, ``substitute scans`` or one of WITHOUT_SCAN."""
     if claim.needs in WITHOUT_SCAN:
         return str(claim.needs)
-    return "substitute scans" if any(_are_substitutes(surfaces, topography)) else "measured"
-
-
-def _are_substitutes(surfaces: list[str], topography: xr.Dataset) -> list[bool]:
-    return [source == "substitute" for source in topography["source"].sel(surface=surfaces).values]
+    sources = topography["source"].sel(surface=surfaces).values
+    return "substitute scans" if "substitute" in sources else "measured"
 
 
 def fixed_verdict(
@@ -137,15 +134,13 @@ def fixed_verdict(
         return BY_CONSTRUCTION, ""
     if claim.needs == "experiment":
         return EXPERIMENT, "The paper says this of its experiment."
-    substitutes = _are_substitutes(surfaces, topography)
-    if claim.needs == "measured" and any(substitutes):
+    selected = topography.sel(surface=surfaces)
+    is_substitute = selected["source"].values == "substitute"
+    if claim.needs == "measured" and is_substitute.any():
         return UNTESTABLE, "The substitute scans decide this."
-    rows_by_surface = topography["table1_rows_met"].sel(surface=surfaces).values
-    meets_by_construction = [
-        is_substitute and claim.quantity in str(rows).split(",")
-        for is_substitute, rows in zip(substitutes, rows_by_surface, strict=True)
-    ]
-    if surfaces and all(meets_by_construction):
+    rows_met = selected["table1_rows_met"].values
+    is_met = [claim.quantity in str(rows).split(",") for rows in rows_met]
+    if surfaces and np.logical_and(is_substitute, is_met).all():
         return BY_CONSTRUCTION, "The substitute scans of the study are made to meet this."
     if claim.quantity in PIXEL_QUANTITIES:
         published_size = constants["value"]["scan_size"] / constants["value"]["scan_pixels"]

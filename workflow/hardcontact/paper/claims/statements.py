@@ -34,7 +34,6 @@ class ClaimRow(Keys):
     main: Annotated[str, Matching("([1-9][0-9]*)?", "the rank of a main statement or nothing")]
     section: str
     statement: str
-    #: Words for the quantity; the numbers themselves are in the next columns.
     number: Annotated[str, Matching(r".*\w.*", "words for the quantity that the numbers give")]
     published: NumberCell
     published_low: NumberCell
@@ -45,8 +44,7 @@ class ClaimRow(Keys):
     dataset: str
     quantity: str
     select: Annotated[
-        str,
-        Matching(r"(\w+=[^;=]+(;\w+=[^;=]+)*)?", "labels such as surface=uncd;side=short"),
+        str, Matching(r"(\w+=[^;=]+(;\w+=[^;=]+)*)?", "labels such as surface=uncd;side=short")
     ]
     needs: Literal[
         "", "measured", "no scan", "no scan; assumed asperities", "construction", "experiment"
@@ -85,7 +83,7 @@ class ClaimRow(Keys):
             if labels is None:
                 accepted = f"one of {', '.join(LABELS)}"
                 yield from _word_faults("select", [dimension], LABELS, accepted)
-            elif labels:  # An empty entry of LABELS means that labels are numbers.
+            elif labels:
                 accepted = f"{dimension}, one of {', '.join(labels)}"
                 yield from _word_faults("select", words, labels, accepted)
             else:

@@ -1,4 +1,4 @@
-"""The answer of the paper's study, from claims and datasets: the content of its answer.json."""
+"""The answer.json of the paper's study, from claims and datasets."""
 
 from collections.abc import Iterator, Mapping
 from typing import Any
@@ -37,17 +37,15 @@ ANSWER_CLAIMS = {
     "plasticity_shift": "plasticity_moves_short_edge",
     "range_shift": "range_moves_short_edge",
 }
-#: Status of an edge that lies beyond the cutoffs, by its side.
+#: Status of an edge beyond the cutoffs, by its side.
 OPEN_STATUSES = {"short": EdgeStatus.OPEN_ABOVE, "long": EdgeStatus.OPEN_BELOW}
 #: Contact model and index of the ascending ranges of adhesion at which edge_shifts.nc has the edge
 #: without the reason of each shift.
 FORMER_EDGES = {"plasticity_shift": (RIGID, -1), "range_shift": (PLASTIC, 0)}
-#: Parameters that are fitted to the forces of each set of scans, with units.
+#: Units of the parameters that are fitted to the forces of each set of scans.
 PAIR_UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
-#: Statistics of the forces on surfaces with features, with units.
+#: Units of the statistics of forces on surfaces with features.
 FORCE_UNITS = {"mean_force_at_pair": "N", "median_force_at_pair": "N", "log_force_std": "1"}
-#: Grids that are coarse if they are smaller than the paper's.
-COMPARED_GRIDS = ("scan_pixels", "contacts_per_row")
 
 
 def paper_answer(
@@ -59,17 +57,16 @@ def paper_answer(
     configuration: Mapping[str, Any],
     version: str,
 ) -> dict[str, Any]:
-    """Return the content of answer.json: a head, notes in words, and all numbers.
+    """Return the content of answer.json.
 
     `claims` comes from `read_judged_claims`, `constants` and `table1` from `published`. The
     datasets are `topography`, `filtered_forces`, `edges`, `edge_shifts`, `sensitivity`,
     `band_forces`, `sets`, `features`, `fit`, and `scan_size` from resources/validation.
     """
     heads = datasets["topography"][["label", "source"]].to_dataframe()
-    numbers = numbers_by_name(*study_numbers(claims, datasets, constants))
+    numbers = numbers_by_name(*_study_numbers(claims, datasets, constants))
     substrates = [str(name) for name in datasets["edges"]["surface"].values]
-    coatings = {name: surface_numbers(name, datasets) for name in substrates}
-    sizes = [(numbers[name].value, numbers[f"{name}_published"].value) for name in COMPARED_GRIDS]
+    coatings = {name: _surface_numbers(name, datasets) for name in substrates}
     contact = contact_inputs(numeric_configuration(configuration))
     changed = changed_inputs(contact, substrates, table1)
     sets = datasets["sets"]
@@ -80,7 +77,10 @@ def paper_answer(
         ],
         "substitutes": heads.loc[heads["source"] == "substitute", "label"].tolist(),
         "featured": datasets["features"].attrs["label"],
-        "is_coarse": any(size < published for size, published in sizes),
+        "is_coarse": any(
+            numbers[name].value < numbers[f"{name}_published"].value
+            for name in ("scan_pixels", "contacts_per_row")
+        ),
         "changed": changed,
     }
     notes = substitutes_note(facts["substitutes"])
@@ -110,7 +110,7 @@ def paper_answer(
     }
 
 
-def study_numbers(
+def _study_numbers(
     claims: pd.DataFrame, datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame
 ) -> Iterator[Number]:
     """Yield the numbers of the whole study, in the units of the claims."""
@@ -171,13 +171,8 @@ def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> l
     ]
 
 
-def surface_numbers(surface: str, datasets: Mapping[str, xr.Dataset]) -> dict[str, Number]:
-    """Return both edges of one substrate, its mean force, and two ratios of forces.
-
-    The mean force is at the published range and work of adhesion. The ratios are of the force on
-    the band alone to that on all roughness, and of the force on small scans to large surfaces. The
-    latter is known for the surfaces of scan_size.nc only.
-    """
+def _surface_numbers(surface: str, datasets: Mapping[str, xr.Dataset]) -> dict[str, Number]:
+    """Return the numbers of one substrate: both edges, its mean force, and two ratios of forces."""
     edges, sets = datasets["edges"], datasets["sets"]
     numbers = {}
     for side, name in EDGE_NAMES.items():
@@ -210,12 +205,12 @@ def _small_scan_forces(datasets: Mapping[str, xr.Dataset]) -> xr.Dataset:
 def _pairs_of_sets(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> Iterator[Number]:
     """Yield the best range and work of adhesion of the sets, with and without the decisive surface.
 
-    Without the decisive surface the best ranges scatter least. The standard deviation over the sets
-    and the printed uncertainty of range and work follow.
+    Their standard deviation over the sets and their printed uncertainty follow.
     """
     confidence = datasets["sets"].attrs["confidence"]
     sets = datasets["sets"].sel(contact_model=PLASTIC)
     log_ranges = np.log(sets["range_without_surface"].transpose("left_out", "set").values)
+    # Without the decisive surface the best ranges scatter least.
     reduced_sets = sets.isel(left_out=log_ranges.std(axis=1).argmin())
     for name, unit in PAIR_UNITS.items():
         yield _median_number(f"all_surfaces_{name}", unit, sets[name].values, confidence)
@@ -227,10 +222,7 @@ def _pairs_of_sets(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) 
 
 
 def _feature_numbers(features: xr.Dataset, confidence: float) -> Iterator[Number]:
-    """Yield the forces on candidates with bumps, with pits, and Gaussian, and how many agree.
-
-    The published forces follow. Nothing is yielded without candidates.
-    """
+    """Yield the forces on candidates of each kind, how many agree, and the published forces."""
     if features.sizes["candidate"] == 0:
         return
     for kind, candidates in features.groupby("features"):

@@ -96,8 +96,7 @@ def report_pages(
 def convert_chapter(text: str, pages: Collection[str] = ()) -> Chapter:
     """Return a chapter in Markdown as HTML, with anchors at its headings and formulas as MathML.
 
-    A link to a document of `pages` (names) leads to its page. Other links into the repository
-    become plain text.
+    A link to a document of `pages` leads to its page; other links into the repository become text.
     Raises ValueError if the text does not begin with a title, ``# ...``.
     """
     heading, _, body = text.partition("\n")
@@ -147,10 +146,7 @@ def _set_anchors(tokens: Sequence[Token]) -> list[tuple[str, str]]:
 
 
 def _label_cells(tokens: Sequence[Token]) -> None:
-    """Mark the headings of columns in tables, and label the other cells with them.
-
-    A page that is too narrow for a header shows the labels.
-    """
+    """Label the cells of tables with the headings of their columns, which narrow pages show."""
     labels: list[str] = []
     column = 0
     for token, content in pairwise(tokens):

@@ -28,28 +28,25 @@ from hardcontact.surfaces.metrics import TABLE1_VARIABLES
 
 def claim_facts(claims: pd.DataFrame, set_count: int, confidence: float) -> dict[str, Any]:
     """Return the facts about claims that templates show, by the names that templates use."""
-    # Templates test for None, because a comparison with NaN is always false.
-    plain_rows = claims.astype(object).where(claims.notna(), None).to_dict("records")
-    rows = zip(plain_rows, claims.to_dict("records"), strict=True)
-    facts: dict[str, Any] = {
-        str(row["id"]): plain | _printed_claim(row) | {"position": position}
-        for position, (plain, row) in enumerate(rows, start=1)
-    }
-    ranks = {name: int(row["main"]) for name, row in facts.items() if row["main"]}
+    facts: dict[str, Any] = {}
+    for position, row in enumerate(claims.to_dict("records"), start=1):
+        # Templates test for None, because a comparison with NaN is always false.
+        plain = {name: None if pd.isna(value) else value for name, value in row.items()}
+        facts[row["id"]] = plain | _printed_claim(row) | {"position": position}
+    main_rows = sorted(
+        (row for row in facts.values() if row["main"]), key=lambda row: int(row["main"])
+    )
     independent = [row for row in facts.values() if row["kind"] == "independent"]
-    # Main statements first.
-    ordered = sorted(independent, key=lambda row: row["main"] == "")
-    main_rules = {facts[name]["rule"] for name in ranks}
+    main_first = sorted(independent, key=lambda row: row["main"] == "")
     return {
         # Rows by id, and the ids of main statements, the first in rank first.
         "claims": facts,
-        "main_statements": sorted(ranks, key=lambda name: ranks[name]),
+        "main_statements": [row["id"] for row in main_rows],
         # Factors within which numbers of main statements agree.
         "accepted_factors": sorted(
-            rule.removeprefix("factor ") for rule in main_rules if rule.startswith("factor ")
+            {row["rule"].split()[1] for row in main_rows if row["rule"].startswith("factor ")}
         ),
-        # Rows of independent statements, main statements first.
-        "contradicted": [row for row in ordered if row["verdict"] == NOT_REPRODUCED],
+        "contradicted": [row for row in main_first if row["verdict"] == NOT_REPRODUCED],
         "counts": count_verdicts(claims).to_dict("records"),
         "decisive_share": REPRODUCED_SHARE,
         "set_count": set_count,
@@ -106,8 +103,7 @@ def _format_accepted_range(low: float, high: float, unit: str) -> str:
 def table1_rows(topography: xr.Dataset, published: pd.DataFrame) -> list[list[str]]:
     """Return the rows of Table 1 as printed: a title, then the value for each surface.
 
-    Values of scans are mean and standard deviation over the scans of a surface. Values over all
-    scales are those of the joined spectrum. A dagger marks what substitutes meet by construction.
+    A dagger marks what substitutes meet by construction.
     """
     surfaces = [topography.sel(surface=name) for name in topography["surface"].values]
     table1 = yaml.safe_load((TEXTS / "templates/table1.yaml").read_text("utf-8"))
