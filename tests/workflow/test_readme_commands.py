@@ -9,7 +9,6 @@ import os
 import re
 import shlex
 
-import numpy as np
 import pytest
 import yaml
 from forked_runs import run_forked, run_programs
@@ -61,7 +60,7 @@ def calls(text):
     Programs of an environment have its path, or follow a line that activates it.
     """
     typed = commands(text)
-    assert len(typed) > 10
+    assert len(typed) > 5
     is_active = not any(line.startswith("source .venv/bin/activate") for line in typed)
     for line in typed:
         for command in line.split(" && "):
@@ -92,10 +91,6 @@ def write_files(folder):
     write_scan(scans / "map.nc", uncd_heights(generator(6), 128).T, (2500.0, 2500.0))
     entry = {"name": "map", "datafile": {"original": "map.nc"}}
     write_container(scans / "coating.zip", [entry], {"map.nc": scans / "map.nc"})
-    waves = np.geomspace(10, 5000, 20)
-    rows = [f"{wave},nm,{wave**4 / 1e3},nm4" for wave in waves]
-    head = "wavelength,wavelength_unit,c_iso,c_iso_unit"
-    (folder / "my-psd.csv").write_text("\n".join([head, *rows]))
     for study in ("quick", "harder"):
         (folder / "results" / study).mkdir(parents=True)
         (folder / "results" / study / "answer.json").write_text(json.dumps(answer()))
