@@ -6,7 +6,7 @@ import xarray as xr
 from refusals import assert_says, refusal
 from scan_files import random_heights, truncate_file
 
-from hardcontact.base.dataset import add_surface_names, read_dataset, stack, write_dataset
+from hardcontact.base.dataset import read_dataset, stack, write_dataset
 
 
 def test_texts_of_different_length_are_stacked_whole(tmp_path):
@@ -43,10 +43,3 @@ def test_datasets_are_stacked_in_the_order_of_their_keys_with_nan_for_missing_on
     assert forces.dims == ("surface", "scan", "contact")
     assert forces["surface"].values.tolist() == ["uncd", "mcd"]
     np.testing.assert_array_equal(forces.sel(scan=[2, 1])[..., 0], [[2, 1], [2, np.nan]])
-
-
-def test_each_surface_has_its_label_and_its_source():
-    parameters = {"labels": {"a": "A", "b": "B"}, "source": {"a": "measured", "b": "substitute"}}
-    named = add_surface_names(xr.Dataset(coords={"surface": ["b", "a"]}), parameters)
-    assert named.label.values.tolist() == ["B", "A"]
-    assert named.source.values.tolist() == ["substitute", "measured"]

@@ -10,7 +10,7 @@ from refusals import assert_says
 from repository import PAPER, ROOT
 from scan_files import write_container, write_nanoscope, write_scan
 
-from hardcontact.commands import command_line, new, options, request
+from hardcontact.commands import command_line, new, request
 from hardcontact.config.configuration import apply_effort, merge_overlay, numeric_configuration
 from hardcontact.config.selected_surfaces import surface_table
 from hardcontact.run import checks
@@ -208,19 +208,3 @@ def test_faulty_arguments_are_refused_in_one_line_and_nothing_is_written(folder,
         assert done.code == 1
         assert_line_says(done.errors, *message_parts)
         assert sorted(folder.rglob("*")) == files_before
-
-
-@pytest.mark.parametrize(
-    ("message", "question"),
-    [
-        ("invalid choice: 'grow' (choose from 'new', 'grown')", "(did you mean grown?)"),
-        ("invalid choice: 'grow' (choose from new, grown)", "(did you mean grown?)"),
-        ("invalid choice: '' (choose from new, grown)", "choose from"),
-    ],
-)
-def test_an_unknown_choice_is_answered_in_the_words_of_each_python(capsys, message, question):
-    command_parser = options.CommandLine("program", "")
-    command_parser.add_argument("command", choices=["new", "grown"])
-    with pytest.raises(SystemExit):
-        command_parser.error(f"argument command: {message}")
-    assert_says(capsys.readouterr().err, question)

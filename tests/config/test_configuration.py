@@ -4,12 +4,11 @@ import datetime
 
 import pytest
 from refusals import assert_says, refusal
-from repository import PAPER, ROOT, dotted_keys
+from repository import ROOT
 from studies import paper_configuration
 
 from hardcontact.config import configuration, key_tables
 from hardcontact.config.faults import collect_faults, raise_faults
-from hardcontact.config.keys import Study
 from hardcontact.config.user_files import refuse_unreadable
 
 # Keys
@@ -101,11 +100,6 @@ def test_the_configuration_and_its_documentation_are_made_from_the_model():
         instead
     )
     assert key_tables.update_columns(DOCUMENTATION) == DOCUMENTATION, instead
-
-
-def test_the_configuration_of_the_paper_has_every_key_and_its_default():
-    assert Study.model_validate(PAPER) == Study()
-    assert sorted(dotted_keys(PAPER)) == sorted(dotted_keys(Study().model_dump(warnings=False)))
 
 
 def test_quantities_of_the_paper_are_assumed_unless_they_are_given():

@@ -15,15 +15,6 @@ BODIES_BY_SPHERE_SCAN = {
 }
 
 
-def test_the_forces_on_all_scans_are_joined_by_the_numbers_of_contacts():
-    forces = pull_off_with_checks(BODIES_BY_SPHERE_SCAN, CONTACT, RANGES)
-    assert forces["contact_x"].values.tolist() == [0, 1, 2]
-    for number, bodies in BODIES_BY_SPHERE_SCAN.items():
-        forces_on_sphere = pull_off_dataset(bodies, CONTACT, RANGES)["pull_off_force"]
-        joined_forces = forces["pull_off_force"].sel(sphere_scan=number)
-        np.testing.assert_array_equal(joined_forces, forces_on_sphere)
-
-
 def test_a_smooth_sphere_and_the_effects_of_window_and_pixels_are_beside_the_forces():
     forces = pull_off_with_checks(BODIES_BY_SPHERE_SCAN, CONTACT, RANGES)
     smooth_bodies = make_bodies(SUBSTRATE, None, 8.0, 320, 3)

@@ -1,6 +1,5 @@
 """Packages are installed as pinned; jobs depend on the pins, not on what is written around them."""
 
-import ast
 from pathlib import Path
 
 import pytest
@@ -36,11 +35,6 @@ def test_pins_are_read_and_other_requirements_are_not(tmp_path):
         "# numpy==0 is a comment\nnumpy==2.0\nxarray>=1\n--no-index\npytest[extra]==1\n"
     )
     assert code.read_pins(path) == {"numpy": "2.0", "pytest": "1"}
-
-
-def test_imports_that_python_runs_are_inputs_and_those_for_type_checkers_are_not():
-    text = "if TYPE_CHECKING:\n import a\nelse:\n import b\nif not TYPE_CHECKING:\n import c"
-    assert [*code._imported_names(ast.parse(text))] == ["b", "c"]
 
 
 def test_comments_and_hashes_change_no_input(write):

@@ -17,7 +17,7 @@ from hardcontact.scans.extrapolation import (
     is_tail_known,
     share_after_levelling,
 )
-from hardcontact.scans.joined_spectrum import joined_spectrum, sample_spectra
+from hardcontact.scans.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.spectral_models import self_affine
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_rms
 from hardcontact.surfaces.synthesis import random_surface
@@ -154,13 +154,3 @@ def test_the_rolloff_does_not_bias_the_hurst_exponent(rolloff, sharpness):
     fit = fit_hurst_exponent(BINS, bent(BINS), np.full(BINS.shape, 1e-4))
     assert fit.exponent == pytest.approx(0.7, abs=0.1)
     np.testing.assert_allclose([fit.shortest, fit.longest], 2 * np.pi / BINS[[-1, -11]])
-
-
-def test_a_sampled_spectrum_depends_on_its_generator_and_on_an_unknown_tip():
-    scan, _ = scan_of(generator(7), SIZE, level=1.0)
-    spectra = [
-        next(sample_spectra([generator(8, draw)], [scan], radii))[0].density
-        for draw, radii in ((1, [None]), (1, [None]), (2, [None]), (1, [1.0]))
-    ]
-    np.testing.assert_array_equal(spectra[0], spectra[1])
-    assert (spectra[0] != spectra[2]).any() and (spectra[0] != spectra[3]).any()

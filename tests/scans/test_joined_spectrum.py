@@ -12,7 +12,6 @@ from hardcontact.scans.measured_spectrum import (
     isotropic_psd,
     variance_of_log,
 )
-from hardcontact.scans.reliable_band import reliable_band
 from hardcontact.surfaces.spectral_models import smooth_rolloff
 from hardcontact.surfaces.spectrum import BIN_CENTRES, WAVEVECTORS
 
@@ -103,22 +102,6 @@ def test_a_given_tip_radius_overrides_that_of_the_file():
     scan = random_map(generator(15), 128, 5.0, tip_radius=20.0)
     radii = [joined_spectrum([scan], [radius])["tip_radius"].item() for radius in (None, 8.0)]
     assert radii == [20.0, 8.0]
-
-
-def test_only_reliable_wavelengths_are_joined():
-    scans = two_sizes_and_a_line(10)
-    noise = generator(11).normal(0, 10.0, scans[0].heights.shape)
-    scans[0] = measurement(scans[0].heights + noise, scans[0].pixel_size)
-    joined_data = joined_spectrum(scans, [None] * 3)
-    wavelength = 2 * np.pi / joined_data["bin_wavevector"].values
-    for number, scan in enumerate(scans):
-        band = reliable_band(scan, None, isotropic_psd(scan))
-        measurement_data = joined_data.isel(measurement=number)
-        is_in_band = (wavelength >= band.shortest) & (wavelength <= band.longest)
-        np.testing.assert_array_equal(
-            measurement_data["reliable"] == 1, is_in_band & np.isfinite(measurement_data["psd"])
-        )
-    assert joined_data["limited_by"].values[0] == "noise"
 
 
 def pattern(kind, seed):

@@ -12,10 +12,8 @@ from html_page import Page, dead_links
 from jsonschema import Draft202012Validator
 from own_studies import RANGE, WORK, read_answer, read_quantities, run_quick
 from repository import ROOT, copy_repository, run_snakemake_with_forks
-from scipy import stats
 
 from hardcontact.report.figures.listing import FILE_KINDS, OWN_FIGURES
-from hardcontact.theory.closed_form import surface_term
 
 pytestmark = pytest.mark.study
 
@@ -109,31 +107,6 @@ def test_the_interval_from_own_forces_contains_the_true_work(several):
 
 # A rough sphere
 
-#: Dimensions that are kept in means over contacts.
-AXES = ("contact_model", "rho")
-
-
-def mean_over_contacts(values):
-    return values.mean([name for name in values.dims if name not in AXES])
-
-
-def gaussian_relative(adhesion, rms_height):
-    """Return the mean over contacts of F/(2 pi R W) in closed form (model, range)."""
-    level = adhesion.apex_height / rms_height
-    close_points = xr.apply_ufunc(surface_term, level, rms_height / adhesion.rho)
-    return mean_over_contacts(close_points + xr.apply_ufunc(stats.norm.sf, level))
-
-
-def adhesion_of_smooth_sphere(own_study):
-    """Return adhesion.nc of the study without the scans of its sphere."""
-    overlay = {"sphere": {"surface": "smooth"}, "surfaces": "smooth.tsv", "study": "smooth"}
-    (own_study / "smooth.yaml").write_text(yaml.safe_dump(overlay))
-    table = (own_study / "config/several.tsv").read_text().splitlines(keepends=True)
-    (own_study / "smooth.tsv").write_text("".join(row for row in table if row[:6] != "sphere"))
-    run = run_quick(own_study, "several", "adhesion", overlays=["few.yaml", "smooth.yaml"])
-    assert run.returncode == 0, run.stdout[-3000:]
-    return xr.load_dataset(own_study / "results/smooth-quick/adhesion.nc")
-
 
 def test_the_answer_has_the_contacts_and_the_roughness_of_a_rough_sphere(several):
     assert read_answer(several)["contact"]["sphere"] == "sphere"
@@ -144,25 +117,6 @@ def test_the_answer_has_the_contacts_and_the_roughness_of_a_rough_sphere(several
     # The sphere's shape is subtracted before its roughness is measured.
     ball = xr.load_dataset(several / "topography.nc").rms_height.sel(surface="sphere")
     assert ball.values == pytest.approx(2.0, rel=0.1)
-
-
-def test_a_rough_sphere_sticks_less_as_in_the_closed_form(own_study, several):
-    rough = xr.load_dataset(several / "adhesion.nc").sel(surface="twin")
-    smooth = adhesion_of_smooth_sphere(own_study).sel(surface="twin")
-    rms_height = xr.load_dataset(several / "topography.nc").rms_height
-    flat = rms_height.sel(surface="twin", scan=1, drop=True)
-    ball = rms_height.sel(surface="sphere", drop=True).mean()
-    both = np.hypot(flat, ball)  # Squares of the rms heights of independent bodies add up.
-    ratio = mean_over_contacts(rough.pull_off_force) / mean_over_contacts(smooth.pull_off_force)
-    gaussian_ratio = gaussian_relative(rough, both) / gaussian_relative(smooth, flat)
-    # The closed form is for many points; few summits decide only at the shortest range.
-    has_many_points = rough.rho > (both**2 / rough.apex_height).max()
-    assert (~has_many_points).sum() <= 1
-    loss, gaussian_loss = (
-        1 - force_ratio.where(has_many_points, drop=True) for force_ratio in (ratio, gaussian_ratio)
-    )
-    np.testing.assert_allclose(loss, gaussian_loss, rtol=0.1)
-    assert (0.01 < ratio).all() and (ratio.where(ratio.rho <= RANGE, drop=True) < 0.8).all()
 
 
 # A colloidal probe

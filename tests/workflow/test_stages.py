@@ -1,19 +1,17 @@
 """The lines of a run in the terminal: stages and messages only."""
 
 import logging
-import re
 import sys
 from types import SimpleNamespace
 from unittest.mock import MagicMock
 
 import pytest
-from repository import ROOT
 from snakemake.logging import DefaultFormatter
 from snakemake_interface_logger_plugins.common import LogEvent
 
 from snakemake_logger_plugin_stages import LogHandler
 from snakemake_logger_plugin_stages.cluster import study_logger
-from snakemake_logger_plugin_stages.costs import Stage, read_stages
+from snakemake_logger_plugin_stages.costs import Stage
 
 #: Rules of jobs; `my_rule` is not in the table of stages.
 JOBS = ["prepare_scan", "prepare_scan", "my_rule"]
@@ -95,17 +93,6 @@ def test_time_left_counts_what_jobs_cost(capsys, monkeypatch):
     assert line.startswith("levelled scans")
     # 10 s were planned, and the table weighs as much as 2 s: 8 s at (20 + 2) / (2 + 2) of the cost.
     assert "2 of 3 jobs done, about 0:00:44 left" in line
-
-
-def test_every_rule_with_jobs_has_a_name_for_people():
-    rules = {
-        name
-        for path in (ROOT / "workflow/rules").glob("*.smk")
-        for name in re.findall(r"^rule (\w+):", path.read_text("utf-8"), re.M)
-    }
-    assert rules - read_stages("full").keys() == {
-        "verify"  # which makes no file
-    }
 
 
 @pytest.mark.parametrize("has_log", [True, False])

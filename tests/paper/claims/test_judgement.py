@@ -8,11 +8,10 @@ import pytest
 import xarray as xr
 from intervals import between_multiples
 from paper_numbers import CLAIMS, TABLES
-from scipy import stats
 
 from hardcontact.paper.claims.judgement import claim_values, judge_claims
 from hardcontact.paper.claims.selection import claim_surfaces
-from hardcontact.paper.claims.verdicts import JUDGED_COLUMNS, accepted_range
+from hardcontact.paper.claims.verdicts import JUDGED_COLUMNS
 
 ROWS = CLAIMS.set_index("id")
 TABLE1 = pd.read_csv(TABLES / "table1.csv")
@@ -58,13 +57,6 @@ def test_claims_repeat_the_printed_forces_and_what_follows_from_them():
             printed[f"force_ratio_{surface}"] = (mean[surface] / mean["uncd"], 1e-6)
     for claim, (value, error) in printed.items():
         assert ROWS.loc[claim, "published"] == pytest.approx(value, abs=error), claim
-
-
-def test_forces_are_too_weak_below_those_that_reproduce_the_published_scale():
-    plastic = ROWS.loc["plastic_reproduces_scale"]
-    lowest = accepted_range(*plastic[["rule", "published_low", "published_high"]]).low
-    for name in ("rigid_too_weak", "short_range_too_weak"):
-        assert ROWS.loc[name, "published_high"] == pytest.approx(lowest)
 
 
 SURFACES = ["smooth", "middle", "rough"]
@@ -275,16 +267,3 @@ def test_errors_name_the_claim(change, message):
     with pytest.raises(ValueError, match=f"claim {change.get('id', 'claim')}: {message}") as error:
         judge(**change)
     assert "\n" not in str(error.value)
-
-
-def test_intervals_over_scans_have_the_given_confidence():
-    datasets = make_datasets()
-    scans = ("surface", "scan", "contact"), np.outer(np.ones(3), [1.0, 2.0, 3.0])[..., None]
-    datasets["forces"]["scan_force"] = scans
-    confidences = (0.95, 0.5)
-    quantiles = [stats.t.ppf((1 + confidence) / 2, 2) for confidence in confidences]
-    rows = [
-        judge(datasets, confidence=confidence, quantity="scan_force") for confidence in confidences
-    ]
-    widths = [np.log(row.high / row.low) for row in rows]
-    assert widths[0] / widths[1] == pytest.approx(quantiles[0] / quantiles[1])

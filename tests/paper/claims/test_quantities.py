@@ -42,17 +42,6 @@ def powers(slope, scans=(0.9, 1.1)):
 # --- roughness and contact --------------------------------------------------------------------
 
 
-def test_roughness_ratios_compare_all_scales_with_afm_scans():
-    afm = {"rms_height_mean": 2.0, "rms_gradient_mean": 0.1, "rms_half_laplacian_mean": 0.01}
-    all_scales = {"rms_height": 3.0, "rms_gradient": 0.6, "rms_half_laplacian": 0.6}
-    topography = xr.Dataset(
-        afm | {f"all_scales_{name}": value for name, value in all_scales.items()}
-    )
-    near(contact_quantities.slope_growth(topography), 6)
-    near(contact_quantities.slope_growth_over_height_growth(topography), 6 / 1.5)
-    near(contact_quantities.curvature_growth_over_height_growth(topography), 60 / 1.5)
-
-
 def test_apex_level_is_a_ratio_of_each_scan():
     """If apex and roughness scatter together, their ratio does not scatter."""
     rms = np.array([16.0, 17.0, 19.0])
@@ -105,13 +94,6 @@ def test_elastic_contact_is_compared_with_rigid_and_plastic_contact():
     near(contact_quantities.median_share_above_hardness(three), 0.45)
     # 400 nm² carry the preload.
     near(contact_quantities.median_plastic_over_elastic_area(three), (4 + 1) / 2)
-
-
-def test_exponents_are_medians_over_surfaces():
-    exponents = xr.Dataset({"force_exponent": ("surface", [0.7, 0.1, 0.0])})
-    near(band_quantities.median_force_exponent(exponents), 0.1)
-    exponents = xr.Dataset({"edge_exponent": ("surface", [-0.2, 0.6, 2.0])})
-    near(band_quantities.median_edge_exponent(exponents), 0.6)
 
 
 def test_waves_of_a_sphere_s_slope_have_its_mean_pressure():
