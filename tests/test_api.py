@@ -18,6 +18,7 @@ import xarray as xr
 from direct_sum import direct_force, gap_to_sphere, mirror
 from known_spectra import self_affine_spectrum
 from measurements import random_map
+from prediction_command import predict_json
 from refusals import assert_says, refusal
 from repository import ROOT
 from SurfaceTopography import Topography
@@ -25,7 +26,6 @@ from SurfaceTopography import Topography
 import hardcontact as hc
 from hardcontact import api
 from hardcontact.base.arrays import generator
-from hardcontact.commands.predict import predict, predict_arguments
 from hardcontact.surfaces.spectral_models import smooth_rolloff
 
 DOCS = ROOT / "resources/docs"
@@ -201,7 +201,7 @@ def test_a_scan_and_its_spectrum_are_predicted_like_the_file(files):
         generator(3), 256, 40.0, partial(smooth_rolloff, plateau=3e5, rolloff=1000.0, hurst=0.8)
     )
     path = scan_files.write_scan(files / "wide.nc", wide.heights.T, (10240.0, 10240.0))
-    written = json.loads(predict(predict_arguments([str(path), "--json", "-"])))
+    written = predict_json(str(path))
     scan_numbers = hc.predict(hc.read_scan(path), **contact)
     measured_numbers = hc.predict(hc.read_spectrum(path), **contact)
     extrapolated_numbers = hc.predict(hc.read_spectrum(path, extrapolated=True), **contact)

@@ -6,9 +6,8 @@ import subprocess
 import sys
 
 import pytest
+from prediction_command import predict_json
 from repository import CACHES, ROOT
-
-from hardcontact.commands.predict import predict, predict_arguments
 
 SCAN = ROOT / "resources/examples/demo.txt"
 PROGRAM = """
@@ -46,7 +45,7 @@ def test_the_installed_package_predicts_as_the_library_here(programs, tmp_path, 
         ).stdout
 
     words = ["predict", str(SCAN), "--json", "-"]
-    expected_force = json.loads(predict(predict_arguments(words[1:])))["closed_form_force"]["value"]
+    expected_force = predict_json(str(SCAN))["closed_form_force"]["value"]
     by_command = json.loads(output("hardcontact", *words))["closed_form_force"]["value"]
     by_program = float(output("python", "-c", PROGRAM, str(SCAN)))
     assert [by_command, by_program] == pytest.approx([expected_force] * 2, rel=1e-6)

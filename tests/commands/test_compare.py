@@ -36,16 +36,6 @@ def printed(*words):
     return compare(compare_arguments([str(word) for word in words]))
 
 
-def scaled(content, factor, name, surface=""):
-    """Return an answer in which the value of one quantity is multiplied by a factor."""
-    moved = deepcopy(content)
-    (row,) = [
-        row for row in moved["quantities"] if (row["surface"], row["name"]) == (surface, name)
-    ]
-    row["value"] *= factor
-    return moved
-
-
 def own(study, label):
     """Return the answer of a study of one surface of the user, with a single number."""
     number = {"surface": label, **Number("mean_force", 1e-6, "N", 0.9e-6, 1.1e-6)._asdict()}
@@ -65,7 +55,11 @@ def own(study, label):
 )
 def test_a_number_that_moves_is_named(paper, factor, name, surface, changes):
     """Processors move numbers by 1e-10; a number without an interval has nothing to differ by."""
-    _, rows = compare_answers(paper, scaled(paper, factor, name, surface))
+    moved_answer = deepcopy(paper)
+    for row in moved_answer["quantities"]:
+        if (row["surface"], row["name"]) == (surface, name):
+            row["value"] *= factor
+    _, rows = compare_answers(paper, moved_answer)
     moved = [
         (row.surface, row.agreement, pytest.approx(row.change.value))
         for row in rows

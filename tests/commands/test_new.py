@@ -3,13 +3,14 @@
 import sys
 from types import SimpleNamespace
 
-import numpy as np
 import pytest
 import yaml
+from measurements import self_affine_heights
 from refusals import assert_says
 from repository import PAPER, ROOT
 from scan_files import write_container, write_nanoscope, write_scan
 
+from hardcontact.base.arrays import generator
 from hardcontact.commands import command_line, new, request
 from hardcontact.config.configuration import apply_effort, merge_overlay, numeric_configuration
 from hardcontact.config.selected_surfaces import surface_table
@@ -47,12 +48,8 @@ def run(monkeypatch, capsys):
 
 
 def rough(pixels=64, rms=3.0, seed=1):
-    """Heights (x, y) in nm of a rough surface without a preferred direction."""
-    q = np.hypot(*np.meshgrid(*[np.fft.fftfreq(pixels)] * 2))
-    q[0, 0] = 1
-    white = np.fft.fft2(np.random.default_rng(seed).standard_normal((pixels, pixels)))
-    heights = np.fft.ifft2(white * np.maximum(q, 3 / pixels) ** -1.8).real
-    return rms * (heights - heights.mean()) / heights.std()
+    """Heights (x, y) in nm of a rough surface that rolls off at a third of its size."""
+    return self_affine_heights(generator(seed), pixels, 1.0, rms, rolloff=pixels / 3)
 
 
 def own_scan(path, size=2500.0, **others):

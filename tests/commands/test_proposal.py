@@ -120,13 +120,6 @@ def both_efforts(settings, proposal):
     return [numeric_configuration(set_keys(PAPER, keys)) for keys in (full, quick)]
 
 
-def check_study(settings, proposal):
-    """Check a proposal for a smooth sphere at both efforts, as the study does."""
-    extents = {scan.scan_file.surface: scan.extent for scan in proposal.contact_scans}
-    for config in both_efforts(settings, proposal):
-        refuse_unfit_values(config, extents)
-
-
 def random_between(low, high):
     """Give numbers of any size between two."""
     return st.floats(math.log(low), math.log(high)).map(math.exp)
@@ -171,7 +164,10 @@ def check_refusal(line, scan, settings):
 )
 def test_any_scan_gives_a_valid_study_or_a_justified_refusal(scans, settings):
     try:
-        check_study(settings, propose_keys(scans, None, settings))
+        proposal = propose_keys(scans, None, settings)
+        extents = {scan.scan_file.surface: scan.extent for scan in proposal.contact_scans}
+        for config in both_efforts(settings, proposal):
+            refuse_unfit_values(config, extents)
     except ValueError as error:
         for line in str(error).splitlines():
             check_refusal(line, scans[0], settings)

@@ -50,14 +50,6 @@ def test_the_force_keeps_its_digits_if_little_attracts_outside_contact(case, rou
         assert sums[index] == pytest.approx(direct_sum, rel=1e-9)
 
 
-@pytest.mark.parametrize("rough", [False, True])
-def test_the_force_at_a_range_does_not_depend_on_the_other_ranges(rough):
-    bodies, ranges = bodies_of(MAP_CASES[2], rough), [0.35, 20.0, 0.7, 1.4, 5.0, 2.8, 5.6, 10.0]
-    contact_pixels = all_contact_pixels(bodies, 17)
-    for rho, sums in zip(ranges, outside_sums(bodies, contact_pixels, ranges), strict=True):
-        np.testing.assert_allclose(sums, outside_sums(bodies, contact_pixels, [rho])[0], rtol=1e-12)
-
-
 @pytest.mark.parametrize(("raised", "penetration"), [(0.99, 0.5), (0.5, 0.99), (0.99, 0.99)])
 @pytest.mark.parametrize(("number", "error"), [(np.float32, SINGLE), (float, 1e-9)])
 def test_subtracted_contact_pixels_leave_enough_digits_up_to_both_limits(

@@ -35,15 +35,12 @@ def rough_heights(seed, rms_height):
     return self_affine_heights(generator(seed), PIXELS, PIXEL, rms_height)
 
 
-def bump(x, y, height, width):
-    return height * np.exp(-((X - x) ** 2 + (Y - y) ** 2) / (2 * width**2))
-
-
 @pytest.mark.parametrize("seed", range(4))
 def test_contacts_touch_one_patch_on_a_particle_and_many_on_a_rough_surface(seed):
     x, y = generator(seed, "place").uniform(1000, 4000, 2)
     smoother_surface = rough_heights(seed, 1.5)
-    assert count_patches(smoother_surface + bump(x, y, 200.0, 90.0)) == 1
+    particle = 200.0 * np.exp(-((X - x) ** 2 + (Y - y) ** 2) / (2 * 90.0**2))
+    assert count_patches(smoother_surface + particle) == 1
     # 64 contacts share patches, the more, the rougher the surface is.
     assert count_patches(smoother_surface) > 20
     assert count_patches(rough_heights(seed, 5.0)) >= 8

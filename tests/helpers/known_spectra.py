@@ -8,16 +8,12 @@ from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 BINS = 2 * np.pi * 10 ** (-3.45 + np.arange(19) / 10)  # 2.8 µm to 45 nm, in rad/nm
 
 
-def scale_spectrum(density, rms):
-    """Return a spectrum with an rms height (nm)."""
-    height = np.sqrt(np.trapezoid(density * WAVEVECTORS**2, np.log(WAVEVECTORS)) / (2 * np.pi))
-    return Spectrum(WAVEVECTORS, density * (rms / height) ** 2)
-
-
 def self_affine_spectrum(rms=4.0, rolloff=1000.0, hurst=0.8, shortest=20.0):
     """Return a self-affine spectrum that ends at a shortest wavelength (nm)."""
     density = np.maximum(WAVEVECTORS * rolloff / (2 * np.pi), 1.0) ** (-2 - 2 * hurst)
-    return scale_spectrum(np.where(2 * np.pi / WAVEVECTORS >= shortest, density, 0.0), rms)
+    density[2 * np.pi / WAVEVECTORS < shortest] = 0
+    height = np.sqrt(np.trapezoid(density * WAVEVECTORS**2, np.log(WAVEVECTORS)) / (2 * np.pi))
+    return Spectrum(WAVEVECTORS, density * (rms / height) ** 2)
 
 
 def gaussian_spectrum(rms=4.0, length=100.0):

@@ -111,6 +111,9 @@ def sets() -> xr.Dataset:
     # 58 of 100 sets have a long range, as in resources/adhesion/pairs.csv.
     ranges = np.where(np.arange(SETS) < 58, 9.0, 1.3)[:, None] * scatter
     fits = ("set", "contact_model")
+    # Fits without each surface, which spread least without the first.
+    spread = np.array([0.3, 0.9, 0.9, 0.9])[:, None, None]
+    scatter_without = np.random.default_rng(2).lognormal(0, spread, (len(SUBSTRATES), SETS, 2))
     edges = xr.DataArray(np.linspace(0.9, 1.3, SETS), dims="set")
     return xr.Dataset(
         {
@@ -121,7 +124,8 @@ def sets() -> xr.Dataset:
             ),
             "edge": edges * band()["edge"],
             "edge_bound": edges * band()["edge_bound"],
-            **fits_without_surfaces(),
+            "range_without_surface": (("left_out", *fits), 5.6 * scatter_without),
+            "work_without_surface": (("left_out", *fits), 0.046 / scatter_without),
         },
         {"contact_model": ["rigid", "plastic"], "left_out": SUBSTRATES},
         {"confidence": 0.9},
@@ -159,18 +163,6 @@ def scan_size() -> xr.Dataset:
         forces | {"mirrored": ("map_size", [1, 1, 1, 0, 0])},
         {"surface": SUBSTRATES, "map_size": [1250.0, 2500.0, 5000.0, 20e3, 40e3]},
     )
-
-
-def fits_without_surfaces() -> dict[str, xr.Variable]:
-    """Return fits of all sets without each surface, which spread least without the first."""
-    spread = np.full((len(SUBSTRATES), 1, 1), 0.9)
-    spread[0] = 0.3
-    scatter = np.random.default_rng(2).lognormal(0, spread, (len(SUBSTRATES), SETS, 2))
-    axes = ("left_out", "set", "contact_model")
-    return {
-        "range_without_surface": xr.Variable(axes, 5.6 * scatter),
-        "work_without_surface": xr.Variable(axes, 0.046 / scatter),
-    }
 
 
 def features() -> xr.Dataset:

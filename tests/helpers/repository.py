@@ -69,12 +69,6 @@ def run_snakemake_with_forks(folder, *arguments):
     return run
 
 
-def snakemake_output(folder, *words):
-    """Return the output of a run of Snakemake without jobs: a dry run, or a summary."""
-    (output,) = snakemake_outputs(folder, [words])
-    return output
-
-
 def snakemake_outputs(folder, runs):
     """Return the outputs of several runs without jobs, which load the library of a copy once."""
     results = run_programs(folder, "snakemake.cli", runs, environment(folder), load_library)

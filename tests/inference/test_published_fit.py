@@ -58,17 +58,14 @@ def test_the_region_contains_exactly_the_small_errors():
     assert np.isnan(published_fit.error_region(np.ones((4, 5)), RHOS[:4], np.ones(5), 0.1)).all()
 
 
-def two_ranges():
-    """Forces on two surfaces with the published ratio at 1 nm and at 8 nm, both for W = 0.05."""
+def test_ratios_met_at_two_ranges_give_two_minima():
+    # Forces on two surfaces with the published ratio at 1 nm and at 8 nm, both for W = 0.05.
     ranges = np.geomspace(0.5, 16, 11)
     ratio = np.exp(0.5 * np.log(ranges) * np.log(ranges / 8))
     forces = np.stack([20 * ratio, np.ones_like(ratio)])[:, None, None, :, None, None]
     dims = ("surface", "scan", "sphere_scan", "rho", "contact_y", "contact_x")
-    return xr.DataArray(forces, {"surface": ["a", "b"], "rho": ranges}, dims)
-
-
-def test_ratios_met_at_two_ranges_give_two_minima():
-    fits = fit_forces(two_ranges(), np.array([1.0, 0.05]))
+    labelled_forces = xr.DataArray(forces, {"surface": ["a", "b"], "rho": ranges}, dims)
+    fits = fit_forces(labelled_forces, np.array([1.0, 0.05]))
     assert sorted(fits.range_at_minimum.values[:2]) == pytest.approx([1.0, 8.0], rel=1e-9)
     np.testing.assert_allclose(fits.work_at_minimum[:2], 0.05, rtol=0.02)
     assert fits.error_at_minimum[0] <= fits.error_at_minimum[1] < 0.02

@@ -10,11 +10,11 @@ import scan_files
 from direct_sum import direct_force, gap_to_sphere, mirror
 from known_spectra import PAPER_CONTACT, self_affine_spectrum
 from measurements import random_map
+from prediction_command import predict_text
 from refusals import assert_says, refusal
 
 import hardcontact as hc
 from hardcontact.base.arrays import generator
-from hardcontact.commands.predict import predict, predict_arguments
 from hardcontact.contact.geometry import count_window_pixels
 from hardcontact.own import scan_force
 from hardcontact.own.own_spectrum import OwnSpectrum
@@ -66,7 +66,7 @@ def predicted(tmp_path, heights, *options):
     path = tmp_path / "scan.nc"
     scan_files.write_scan(path, heights.T, (PIXELS * PIXEL_SIZE,) * 2)
     numbers = tmp_path / "numbers.json"
-    words = predict(predict_arguments([str(path), "--json", str(numbers), "--overwrite", *options]))
+    words = predict_text(str(path), "--json", str(numbers), "--overwrite", *options)
     return words, json.loads(numbers.read_text())
 
 
@@ -142,8 +142,8 @@ def test_a_smooth_wafer_has_the_force_of_a_rough_sphere(tmp_path, predictions):
     table.write_text("wavelength,wavelength_unit,c_iso,c_iso_unit\n" + "\n".join(
         f"{100 * number},nm,{number},nm4" for number in range(1, 6)
     ))  # fmt: skip
-    arguments = predict_arguments([str(table), "--sphere", str(path)])
-    assert_says(refusal(lambda: predict(arguments)), "--sphere: expected scans of both bodies")
+    message = refusal(predict_text, str(table), "--sphere", str(path))
+    assert_says(message, "--sphere: expected scans of both bodies")
 
 
 def test_a_force_that_is_not_computed_has_a_reason():

@@ -138,15 +138,6 @@ def test_permitted_spectra_scatter_like_the_means_of_table_1(write_description):
     assert low < np.square(deviations).sum() < high
 
 
-def test_a_description_without_blanks_permits_itself_alone(write_description):
-    path = write_description("inf,6.5,self-affine,5e7,1000,0.8,,")
-    sampled_spectrum = substitute_spectra.sample_permitted_spectrum(
-        generator(3), path, NO_TABLE1, CONSTANTS
-    )
-    described_density, *_ = substitute_spectra.spectrum_from_description(path, NO_TABLE1, WEIGHTS)
-    np.testing.assert_array_equal(sampled_spectrum.density, described_density)
-
-
 def test_rms_height_counts_only_waves_up_to_a_wavelength(write_description):
     path = write_description("inf,0.1,self-affine,1e9,1000,1.0,,")
     # (1/2 pi) of C_0 q_r^2 over the plateau, from 4 µm, and over the slope, q^-4.

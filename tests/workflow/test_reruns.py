@@ -25,7 +25,7 @@ from repository import (
     linked_copy,
     run_snakemake,
     run_tiny_study,
-    snakemake_output,
+    snakemake_outputs,
 )
 
 import hardcontact
@@ -59,7 +59,7 @@ def load(script, *names):
 
 def run_dry(folder):
     """Return the rules of a dry run in a folder that make files, each with its files."""
-    text = snakemake_output(folder, "-n", "--configfile", TINY, "overlay.yaml")
+    (text,) = snakemake_outputs(folder, [["-n", "--configfile", TINY, "overlay.yaml"]])
     planned_jobs = re.findall(
         r"^(?:local)?rule (\S+):\n(?:    input: .*\n)?(?:    output: (.*)\n)?", text, re.M
     )

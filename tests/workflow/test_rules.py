@@ -4,7 +4,7 @@ import re
 
 import pytest
 import yaml
-from repository import ROOT, run_snakemake, snakemake_output
+from repository import ROOT, run_snakemake, snakemake_outputs
 
 from hardcontact.report.figures.listing import PAPER_FIGURES
 from snakemake_logger_plugin_stages.command_line import PAPER_TARGETS
@@ -17,7 +17,8 @@ PROFILE = yaml.safe_load((ROOT / "profiles/slurm/profile.yaml").read_text())
 @pytest.fixture(scope="module")
 def rules(repository):
     """Return the names of all rules of the paper's study and its targets."""
-    return {line.split()[0] for line in snakemake_output(repository, "--list-rules").splitlines()}
+    (output,) = snakemake_outputs(repository, [["--list-rules"]])
+    return {line.split()[0] for line in output.splitlines()}
 
 
 def test_lint_finds_only_missing_environments(repository):

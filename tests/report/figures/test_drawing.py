@@ -7,7 +7,7 @@ import pytest
 import xarray as xr
 from PIL import Image
 
-from hardcontact.report.figures import drawing
+from hardcontact.report.figures import drawing, style
 
 SURFACES = xr.Dataset(
     {"label": ("surface", ["UNCD", "NCD"]), "source": ("surface", ["measured", "substitute"])}
@@ -28,7 +28,8 @@ def outputs(folder: Path) -> dict[str, str]:
 def test_drawing_twice_gives_the_same_bytes(tmp_path):
     contents = []
     for folder in (tmp_path / "first", tmp_path / "second"):
-        drawing.save_figure(figure(), "a figure", outputs(folder))
+        with style.print_style():
+            drawing.save_figure(figure(), "a figure", outputs(folder))
         contents.append({path.name: path.read_bytes() for path in folder.iterdir()})
     assert contents[0] == contents[1] and len(contents[0]) == len(drawing.FILE_KINDS)
     assert contents[0]["figure.pdf"].startswith(b"%PDF") and b"<svg" in contents[0]["figure.svg"]

@@ -3,21 +3,8 @@
 import json
 from functools import cache
 
+import answer_inputs as inputs
 import pytest
-from answer_inputs import (
-    RANGE,
-    WORK,
-    datasets,
-    edges,
-    fit,
-    force,
-    numbers_of,
-    open_edges,
-    setting,
-    spectra,
-    topography,
-    unresolved_edges,
-)  # fmt: skip
 from jsonschema import Draft202012Validator
 from repository import ROOT
 
@@ -27,24 +14,19 @@ from hardcontact.report.quantities import answer_text
 SCHEMA = json.loads((ROOT / "workflow/schemas/answer.schema.json").read_text("utf-8"))
 
 
-def contradicting():
-    data = spectra()
-    data["psd"][0, 2] *= 100
-    return data
-
-
 CASES = {
-    "one": datasets(),
-    "open, one force": datasets(edges=open_edges(), fit=fit()),
-    "two substitutes, forces": datasets(2, topography=topography(2, "substitute"), fit=fit(2)),
-    "no band": datasets(edges=unresolved_edges()),
-    "contradiction": datasets(spectra=contradicting()),
+    "one": inputs.datasets(),
+    "open, one force": inputs.datasets(edges=inputs.open_edges(), fit=inputs.fit()),
+    "two substitutes, forces": inputs.datasets(
+        2, topography=inputs.topography(2, "substitute"), fit=inputs.fit(2)
+    ),
+    "no band": inputs.datasets(edges=inputs.unresolved_edges()),
 }
 
 
 @cache
 def content(case):
-    return json.loads(answer_text(own_answer(CASES[case], setting())))
+    return json.loads(answer_text(own_answer(CASES[case], inputs.setting())))
 
 
 def quantities(case, surface="my_coating"):
@@ -62,19 +44,19 @@ def test_the_answer_follows_its_schema(case):
 def test_the_answer_has_the_numbers_of_the_datasets():
     study_rows, surface_rows = quantities("one", ""), quantities("one")
     assert (study_rows["range_of_adhesion"]["value"], study_rows["work_of_adhesion"]["value"]) == (
-        RANGE, WORK,
+        inputs.RANGE, inputs.WORK,
     )  # fmt: skip
     assert study_rows["range_of_adhesion"]["source"] == "given"
     assert study_rows["work_of_adhesion"]["source"] == "assumed"
-    long = edges().sel(surface="my_coating", side="long")
+    long = inputs.edges().sel(surface="my_coating", side="long")
     assert surface_rows["long_edge"]["value"] == long["edge"]
     ends = [surface_rows["long_edge"][end] for end in ("low", "high")]
     assert ends == long["edge_interval"].values.tolist()
-    plastic = force().sel(surface="my_coating", contact_model="plastic", rho=RANGE)
+    plastic = inputs.force().sel(surface="my_coating", contact_model="plastic", rho=inputs.RANGE)
     assert surface_rows["mean_force"]["value"] == plastic["force"]
     assert surface_rows["middle_forces"]["high"] == plastic["force_quantile"][-1]
     assert surface_rows["force_of_pair_long_range_range"]["value"] == 10.0
-    heights = topography().sel(surface="my_coating")["rms_height"].values
+    heights = inputs.topography().sel(surface="my_coating")["rms_height"].values
     assert surface_rows["scan_2_rms_height"]["value"] == heights[1]
     assert surface_rows["all_scales_rms_height"]["value"] == 6.2
     assert surface_rows["measurement_1_shortest_reliable"]["value"] == 55.0
@@ -89,15 +71,8 @@ def test_the_answer_has_the_three_octaves_that_matter_most_and_that_a_scan_shows
     assert "octave_4" not in rows
 
 
-def test_cautions_are_codes_with_their_numbers():
-    cautions = [note for note in content("contradiction")["notes"] if note["kind"] == "caution"]
-    assert {"contradiction", "tail"} <= {note["code"] for note in cautions}
-    factor = quantities("contradiction")["contradiction_factor"]["value"]
-    assert factor == pytest.approx(100, rel=0.2)
-
-
 @pytest.mark.parametrize(("paper_values", "count"), [(["work of adhesion"], 2), (["hardness"], 0)])
 def test_forces_at_other_pairs_are_shown_only_if_range_or_work_are_the_paper_s(paper_values, count):
-    numbers = numbers_of(setting()._replace(assumed=paper_values))
+    numbers = inputs.numbers_of(inputs.setting()._replace(assumed=paper_values))
     pairs = {"force_of_pair_long_range", "force_of_pair_short_range"}
     assert len(pairs & numbers.keys()) == count

@@ -1,20 +1,8 @@
 """Computed and measured forces of the user's surfaces, their ratios, and the fit to them."""
 
+import answer_inputs as inputs
 import numpy as np
 import pytest
-from answer_inputs import (
-    FORCE,
-    PAIRS,
-    RANGE,
-    SURFACES,
-    WORK,
-    datasets,
-    drop_interval,
-    fit,
-    force,
-    numbers_of,
-    spectra,
-)  # fmt: skip
 
 from hardcontact.report.own_surfaces.datasets import select_preferred_model
 from hardcontact.report.own_surfaces.forces import comparison_numbers, fit_numbers, pair_numbers
@@ -26,25 +14,25 @@ SENSITIVITY = -0.9
 
 
 def test_the_force_at_other_pairs_follows_a_power_law_within_the_ranges():
-    surface = datasets().select_surface(SURFACES[0])
-    numbers = {number.name: number for number in pair_numbers(surface.force, PAIRS)}
+    surface = inputs.datasets().select_surface(inputs.SURFACES[0])
+    numbers = {number.name: number for number in pair_numbers(surface.force, inputs.PAIRS)}
     long_range = numbers["force_of_pair_long_range"]
     # The pair has half the work, and F ~ W rho^-0.5.
-    assert long_range.value == pytest.approx(FORCE / 2 * (10 / RANGE) ** -0.5)
-    assert numbers["force_of_pair_long_range_share"].value == PAIRS[1]["share_of_sets"]
+    assert long_range.value == pytest.approx(inputs.FORCE / 2 * (10 / inputs.RANGE) ** -0.5)
+    assert numbers["force_of_pair_long_range_share"].value == inputs.PAIRS[1]["share_of_sets"]
     assert numbers["force_of_pair_long_range_range"].value == 10.0
     assert np.isnan(numbers["force_of_pair_short_range"].value)
     assert "force_of_pair_published" not in numbers  # the pair of the study itself
 
 
 def test_the_sensitivity_to_the_range_needs_two_ranges():
-    assert numbers_of()["range_sensitivity"].value == pytest.approx(-0.5)
-    one_range = force().sel(rho=[5.6])
-    assert np.isnan(numbers_of(force=one_range)["range_sensitivity"].value)
+    assert inputs.numbers_of()["range_sensitivity"].value == pytest.approx(-0.5)
+    one_range = inputs.force().sel(rho=[5.6])
+    assert np.isnan(inputs.numbers_of(force=one_range)["range_sensitivity"].value)
 
 
 def compare(**others):
-    data = datasets(2, **others)
+    data = inputs.datasets(2, **others)
     reference, twin = (data.select_surface(name) for name in data.force["surface"].values)
     return {number.name: number for number in comparison_numbers(twin, reference)}
 
@@ -54,11 +42,14 @@ def test_the_errors_of_both_forces_add_in_squares():
     assert ratio.value == pytest.approx(2)
     error = np.exp(np.sqrt(2) * np.log(1.25))
     assert (ratio.low, ratio.high) == pytest.approx((2 / error, 2 * error))
-    assert compare(force=drop_interval(force(2)))["force_over_reference"].status == "no_interval"
+    assert (
+        compare(force=inputs.drop_interval(inputs.force(2)))["force_over_reference"].status
+        == "no_interval"
+    )
 
 
 def test_the_octave_whose_amplitude_differs_makes_the_ratio():
-    data = spectra(2)
+    data = inputs.spectra(2)
     wavelength = 2 * np.pi / data["wavevector"]
     is_octave = (wavelength >= OCTAVE) & (wavelength <= 2 * OCTAVE)
     is_twin = data["surface"] == data["surface"][1]
@@ -70,14 +61,18 @@ def test_the_octave_whose_amplitude_differs_makes_the_ratio():
 
 
 def test_own_forces_have_numbers_only_for_their_surface():
-    numbers = numbers_of(fit=fit())
+    numbers = inputs.numbers_of(fit=inputs.fit())
     assert numbers["measured_force"].source == "measured"
     assert numbers["measured_force_count"].value == 40
-    assert numbers["measured_work"].value == pytest.approx(WORK)
-    different = fit()
+    assert numbers["measured_work"].value == pytest.approx(inputs.WORK)
+    different = inputs.fit()
     different["extrapolation_matters"].loc[{"side": "short"}] = 1
-    assert numbers_of(fit=different)["extrapolated_work_short"].value == pytest.approx(WORK / 2)
-    assert "measured_force" not in numbers_of(fit=fit().assign_coords(surface=["other"]))
+    assert inputs.numbers_of(fit=different)["extrapolated_work_short"].value == pytest.approx(
+        inputs.WORK / 2
+    )
+    assert "measured_force" not in inputs.numbers_of(
+        fit=inputs.fit().assign_coords(surface=["other"])
+    )
 
 
 def fitted(data):
@@ -86,8 +81,8 @@ def fitted(data):
 
 
 def test_fits_of_several_surfaces_have_a_region():
-    numbers = fitted(fit(2))
-    assert (numbers["fit_best_range"].value, numbers["fit_best_work"].value) == (5.6, WORK)
+    numbers = fitted(inputs.fit(2))
+    assert (numbers["fit_best_range"].value, numbers["fit_best_work"].value) == (5.6, inputs.WORK)
     region = numbers["fit_region_range"]
     assert (region.low, region.status) == (3.2, "ends") and np.isnan(region.high)
     assert (numbers["fit_range"].value, numbers["fit_agrees"].value) == (5.6, 1)
@@ -95,12 +90,12 @@ def test_fits_of_several_surfaces_have_a_region():
 
 
 def test_the_range_of_the_forces_may_lie_outside_of_the_region():
-    short_range = fit(2).assign_attrs(rho=1.0)  # the region begins at 3.2 nm
+    short_range = inputs.fit(2).assign_attrs(rho=1.0)  # the region begins at 3.2 nm
     assert fitted(short_range)["fit_agrees"].value == 0
 
 
 def test_a_region_may_have_a_gap():
-    parted = fit(2)
+    parted = inputs.fit(2)
     parted["region"].loc[{"rho_fine": slice(6, 9)}] = np.nan
     rho = parted["rho_fine"].values
     gap = fitted(parted)["fit_gap"]
@@ -108,8 +103,8 @@ def test_a_region_may_have_a_gap():
 
 
 def test_a_fit_without_a_region_has_a_reason():
-    assert fitted(fit())["fit_region_range"].status == "one_force"
-    nothing = fit(2)
+    assert fitted(inputs.fit())["fit_region_range"].status == "one_force"
+    nothing = inputs.fit(2)
     nothing["region"] *= np.nan
     assert fitted(nothing)["fit_region_range"].status == "no_agreement"
     nothing["work_by_range_interval"] *= np.nan

@@ -103,14 +103,6 @@ def test_the_headline_explains_an_undecided_long_edge_of_artificial_roughness(
     assert ("is likely too long" in line) == explained
 
 
-@pytest.mark.parametrize(("ends", "crossed"), [((0.8, 1.0), "0.9"), ((0.8, 1.2), "0.9 and 1.1")])
-def test_the_headline_names_the_limits_that_the_interval_of_the_band_crosses(ends, crossed):
-    low, high = ends
-    values = {"computed": 0.95, "low": low, "high": high, "verdict": "undecided"}
-    rows = change_claim("band_force_ratio", accepted_low=0.9, accepted_high=1.1, **values)
-    assert f"is undecided: the interval crosses {crossed}." in " ".join(answer(rows)["headline"])
-
-
 def test_the_headline_names_the_coatings_with_the_outermost_edges():
     edges = datasets()["edges"].copy(deep=True)
     for side, values in {"short": [53, 37, 66, 60], "long": [2000, 1800, 2800, 1900]}.items():

@@ -3,7 +3,6 @@
 import re
 
 import numpy as np
-import pandas as pd
 import pytest
 from html_page import Page, dead_links
 from paper_study import FRAME, PAGES, make_figures_page, make_page
@@ -11,7 +10,7 @@ from paper_study import claims as all_claims
 from refusals import assert_says
 from repository import PAPER, ROOT
 
-from hardcontact.paper.claims.verdicts import VERDICTS, count_verdicts
+from hardcontact.paper.claims.verdicts import VERDICTS
 from hardcontact.report.figures.listing import PAPER_FIGURES
 from hardcontact.report.paper_study.pages import convert_chapter, report_pages
 from hardcontact.report.paper_study.tables import claim_facts
@@ -19,32 +18,9 @@ from hardcontact.report.paper_study.tables import claim_facts
 HOSTILE = 'a < b & "c" <script>alert(1)</script>'
 
 
-def evaluated(**values):
-    """Three claims as `evaluate` returns them, the first with other values."""
-    table = pd.DataFrame(
-        {
-            "id": ["first", "second", "third"],
-            "main": ["", "1", ""],
-            "section": ["Table 1", "Results", "Results"],
-            "statement": ["The rms height is 3 nm.", "A > B & C.", "It is so."],
-            "number": ["rms height", "ratio", "share"],
-            "published": [3.0, np.nan, 0.1],
-            "computed": [3.25, 1.5, np.nan],
-            "low": [2.75, np.nan, np.nan],
-            "high": [3.75, np.nan, np.nan],
-            "unit": ["nm", "1", "1"],
-            "rule": ["interval", "above", "below"],
-            "evidence": ["published", "published", "assumed"],
-            "accepted_low": [2.0, 1.0, -np.inf],
-            "accepted_high": [4.0, np.inf, 0.2],
-            "agreeing_share": [0.87, np.nan, np.nan],
-            "verdict": ["undecided", "not reproduced", "not testable"],
-            "follows_from": ["", "first", ""],
-            "basis": ["substitute scans", "no scan", "substitute scans"],
-            "note": ["", "", "Assumed."],
-            "open_end": "",
-        }
-    )
+def three_claims(**values):
+    """Return three claims from Table 1, the first with other values."""
+    table = all_claims().iloc[:3].copy()
     for column, value in values.items():
         table.loc[0, column] = value
     return table
@@ -53,43 +29,45 @@ def evaluated(**values):
 def make_pages(table=None, changed=(), **texts):
     """The pages."""
     configuration = PAPER | {"intervals": {"confidence": 0.8}}
-    table = evaluated() if table is None else table
+    table = three_claims() if table is None else table
     return report_pages(table, changed, texts, configuration, {"numpy": "1", "a<b": "1<2"}, FRAME)
 
 
 SETS = 100, 0.95  # number and confidence
 
 
-def test_facts_are_the_claims_with_their_numbers_as_printed():
-    facts = claim_facts(evaluated(), *SETS)
-    rows = facts["claims"]
-    assert list(rows) == ["first", "second", "third"]
-    assert rows["first"]["computed_text"] == "3.2 [2.8, 3.8] nm"
-    assert rows["first"]["published_text"] == "3 nm"
-    accepted = [row["accepted_text"] for row in rows.values()]
-    assert accepted == ["2 to 4 nm", "above 1", "below 0.2"]
-    assert (
-        rows["second"]["computed_text"] == "1.5" and rows["second"]["published_text"] == "as stated"
-    )
-    assert rows["third"]["computed_text"] == "" and rows["third"]["computed"] is None
-    assert [row["kind"] for row in rows.values()] == ["independent", "follows", "independent"]
-    assert facts["counts"] == count_verdicts(evaluated()).to_dict("records")
-    row = claim_facts(evaluated(verdict="by construction"), *SETS)["claims"]["first"]
-    assert row["kind"] == "by construction"
+@pytest.mark.parametrize(
+    ("values", "printed"),
+    [
+        ({"computed": 3.25, "low": 2.75, "high": 3.75}, {"computed_text": "3.2 [2.8, 3.8] nm"}),
+        ({"computed": np.nan}, {"computed_text": "", "computed": None}),
+        ({"published": 3.0}, {"published_text": "3 nm"}),
+        ({"rule": "above"}, {"published_text": "as stated"}),
+        ({"accepted_low": 2.0, "accepted_high": 4.0}, {"accepted_text": "2 to 4 nm"}),
+        ({"accepted_low": 1.0, "accepted_high": np.inf}, {"accepted_text": "above 1 nm"}),
+        ({"accepted_low": -np.inf, "accepted_high": 0.2}, {"accepted_text": "below 0.2 nm"}),
+        ({"verdict": "undecided"}, {"kind": "independent"}),
+        ({"verdict": "undecided", "follows_from": "second"}, {"kind": "follows"}),
+        ({"verdict": "by construction"}, {"kind": "by construction"}),
+    ],
+)
+def test_a_claim_is_printed_with_its_number_its_limits_and_its_kind(values, printed):
+    row = claim_facts(three_claims(**values), *SETS)["claims"]["afm_rms_height_polished_uncd"]
+    assert {name: row[name] for name in printed} == printed
 
 
 @pytest.mark.parametrize(
     ("values", "count"),
     [
         ({"basis": "no scan", "verdict": "reproduced"}, 1),
-        ({"basis": "no scan", "verdict": "reproduced", "follows_from": "third"}, 0),
+        ({"basis": "no scan", "verdict": "reproduced", "follows_from": "second"}, 0),
         ({"basis": "no scan; assumed asperities", "verdict": "reproduced"}, 1),
-        ({"basis": "no scan"}, 0),
+        ({"basis": "no scan", "verdict": "undecided"}, 0),
         ({"verdict": "reproduced"}, 0),
     ],
 )
 def test_facts_count_independent_statements_reproduced_without_scans(values, count):
-    assert claim_facts(evaluated(**values), *SETS)["without_scan"] == count
+    assert claim_facts(three_claims(**values), *SETS)["without_scan"] == count
 
 
 KINDS = ["independent", "follows", "by construction"]
@@ -117,7 +95,7 @@ def test_the_page_of_claims_has_a_row_for_each_and_counts_verdicts():
 
 @pytest.mark.parametrize("column", ["section", "statement", "number", "unit", "basis", "note"])
 def test_claims_are_text_not_markup(column):
-    page = make_pages(evaluated(**{column: HOSTILE}))["claims"]
+    page = make_pages(three_claims(**{column: HOSTILE}))["claims"]
     assert page.count("<script") == make_pages()["claims"].count("<script") and "alert(1)" in page
 
 
@@ -176,8 +154,9 @@ def test_every_formula_of_a_chapter_is_mathml(path):
 
 def test_statements_beside_other_contacts_have_numbers_and_no_verdicts():
     changed = [{"input": "hardness", "paper": "25 GPa", "study": "30 GPa"}]
-    page = Page(make_pages(changed=changed)["claims"])
+    table = three_claims(computed=3.25, low=2.75, high=3.75)
+    page = Page(make_pages(table, changed)["claims"])
     assert_says(page.texts["p"][0], "hardness 30 GPa", "paper 25 GPa", "meaningless")
-    (row,) = [row for row in page.rows if "rms height" in row[0]]
-    assert row[-1].replace("\N{NO-BREAK SPACE}", " ").strip() == "3.2 [2.8, 3.8] nm rms height"
+    (row,) = [row for row in page.rows if "of polished UNCD" in row[0]]
+    assert_says(row[-1].replace("\N{NO-BREAK SPACE}", " "), "3.2 [2.8, 3.8] nm")
     assert not [text for text in page.values("class") if text.startswith("verdict-")]

@@ -6,15 +6,12 @@ import re
 import numpy as np
 import pytest
 from html_page import Page
-from paper_study import answer, captions, claims, figures, make_figures_page, make_page
-from refusals import assert_says
+from paper_study import captions, claims, figures, make_figures_page, make_page
 from repository import PAPER
 
-from hardcontact.base.formatting import format_as_paper
 from hardcontact.config.configuration import merge_overlay
 from hardcontact.paper.claims.verdicts import VERDICTS
 from hardcontact.report.figures.listing import PAPER_FIGURES
-from hardcontact.report.quantities import numbers_of_answer
 
 
 @pytest.fixture(scope="module")
@@ -39,20 +36,6 @@ def answer_words(page):
 def test_the_page_needs_nothing_else(page):
     assert not {"link", "iframe", "object", "embed", "base"} & page.attributes.keys()
     assert all(source.startswith("data:image/svg+xml;base64,") for source in page.values("src"))
-
-
-def test_the_page_says_first_what_came_out(page):
-    first_words = answer_words(page)
-    assert_says(
-        first_words, "In the mean of the coatings, wavelengths of 640 to 1280 nm matter most: "
-    )
-    assert " (320 to 640 nm: " in first_words
-    numbers = numbers_of_answer(answer())
-    for name in ("short_edge_first", "long_edge_first"):
-        edge, published = numbers[name], numbers[f"{name}_published"]
-        interval = (edge.low, edge.high)
-        assert_says(first_words, format_as_paper(edge.value, edge.unit, interval, 2))
-        assert_says(first_words, format_as_paper(published.value, published.unit))
 
 
 def test_the_page_concludes_from_a_reason_only_if_its_interval_excludes_none():
