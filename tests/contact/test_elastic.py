@@ -6,8 +6,12 @@ from elastic_libraries import library_pressure, library_pull_off
 from paper_numbers import MODULUS, RADIUS
 from periodic_maps import CONTACT, make_bodies, periodic_noise
 
-from hardcontact.contact.elastic import adhesive_pull_off, pressure_at_load
-from hardcontact.contact.elastic_contacts import ELASTIC_UNITS, solve_elastic_contacts
+from hardcontact.contact.elastic import (
+    ELASTIC_UNITS,
+    adhesive_pull_off,
+    pressure_at_load,
+    solve_elastic_contacts,
+)
 from hardcontact.contact.geometry import sample_contacts
 from hardcontact.contact.hertz_jkr_dmt import hertz_peak_pressure
 
@@ -85,7 +89,7 @@ def test_bodies_too_soft_are_refused():
 
 
 def test_elastic_contacts_carry_the_preload(monkeypatch):
-    monkeypatch.setattr("hardcontact.contact.elastic_contacts.PULL_OFF_WINDOW", 600.0)
+    monkeypatch.setattr("hardcontact.contact.elastic.PULL_OFF_WINDOW", 600.0)
     bodies = make_bodies(periodic_noise(96, 2.0, 1), periodic_noise(96, 0.3, 2), 8.0, 512, 3)
     indices = sample_contacts(np.random.default_rng(1), 3, 2)
     solved = solve_elastic_contacts(bodies, CONTACT, indices, MODULUS)

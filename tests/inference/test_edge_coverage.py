@@ -11,7 +11,7 @@ from scipy import stats
 from hardcontact.base.arrays import generator
 from hardcontact.base.dataset import stack
 from hardcontact.contact.contact import Contact
-from hardcontact.inference.edges_of_scans import edges_of_scans
+from hardcontact.inference.edges import edges_of_scans
 from hardcontact.inference.forces_on_masters import (
     Filters,
     add_force_ratios,

@@ -5,7 +5,7 @@ import pytest
 import xarray as xr
 from known_masters import LONG, SHORT, filtered_forces
 
-from hardcontact.inference.edges_of_scans import edges_of_scans
+from hardcontact.inference.edges import edges_of_scans
 from hardcontact.inference.mean_forces import MasterScans
 
 

@@ -1,8 +1,7 @@
 """The edges of the band of the user's surfaces: edges.nc."""
 
 from hardcontact.base.dataset import read_dataset
-from hardcontact.inference.edges import labelled_edges
-from hardcontact.inference.edges_of_scans import edges_of_scans
+from hardcontact.inference.edges import edges_of_scans, labelled_edges
 from hardcontact.inference.mean_forces import MasterScans
 from hardcontact.inference.scan_parts import fewest_touched_patches
 from hardcontact.records.job import run_job

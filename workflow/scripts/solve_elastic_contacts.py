@@ -3,7 +3,7 @@
 from hardcontact.base import published
 from hardcontact.base.arrays import generator
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.elastic_contacts import solve_elastic_contacts, stack_elastic_contacts
+from hardcontact.contact.elastic import solve_elastic_contacts, stack_elastic_contacts
 from hardcontact.contact.geometry import read_bodies, sample_contacts
 from hardcontact.records.job import run_job
 

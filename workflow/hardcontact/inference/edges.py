@@ -8,14 +8,22 @@ if those above it are. A curve is NaN at the cutoffs of the other side. A change
 """
 
 from enum import StrEnum
+from operator import truediv
 from typing import Any
 
 import numpy as np
 import xarray as xr
 
 from hardcontact.base.arrays import Floats
-from hardcontact.base.statistics import ENDS, Sampling
+from hardcontact.base.statistics import ENDS, Sampling, as_variables, widen_interval
 from hardcontact.base.units import DIMENSIONLESS, NM
+from hardcontact.inference.mean_forces import (
+    MasterForces,
+    MasterScans,
+    half_width_over_masters,
+    logarithmic_interval,
+    summarize_masters,
+)
 
 #: The label, along the dimension `group`, of the change averaged over all surfaces. The other
 #: groups are single surfaces.
@@ -110,41 +118,6 @@ def edge_intervals(
     return xr.Variable((*shorter.dims, "end"), abs(np.stack([shorter, longer], axis=-1)), NM)
 
 
-def edges_of_masters(
-    forces: xr.Dataset, tolerance: float, sampling: Sampling
-) -> tuple[xr.Dataset, xr.DataArray]:
-    """Return ratios and changes of the force on substitutes with their edges, and sampled edges.
-
-    Each master has a scan of its own, unlike those of `edges_of_scans`. Sampled edges are (1 +
-    sample, ..., side, group). The first is the edge itself, NaN if it is open. In the others the
-    bound replaces an open edge.
-    """
-    # The word "scales" is a part of the seed: another word would give other samples.
-    ratios = sampling.sample_means("scales", forces["filtered_force_ratio"], "realization")
-    ratios = ratios.transpose("sample", ..., "side", "surface", CUTOFF)
-    group_ratios = ratios.rename(surface="group")
-    changes = abs(group_ratios - 1)
-    # The mean over surfaces is that of |ratio - 1|, because signs would cancel.
-    mean_change = changes.mean("group", skipna=False).expand_dims(group=[MEAN_GROUP], axis=-2)
-    spectrum_ends = forces["spectrum_end"].rename(surface="group")
-    group_edges = [
-        find_edges(xr.ufuncs.log(group_ratios), logarithmic_limits(tolerance), spectrum_ends),
-        find_edges(mean_change, (-np.inf, tolerance), spectrum_ends.mean("group")),
-    ]
-    edges = xr.concat(group_edges, "group")
-    sampled_edges = edges["edge"].where(edges["sample"] == 0, edges_or_bounds(edges))
-    variables: dict[str, Any] = {}
-    for name, values, attributes in (
-        ("edge", sampled_edges, NM),
-        ("filtered_force_change", xr.concat([changes, mean_change], "group"), DIMENSIONLESS),
-        ("filtered_force_ratio", ratios, DIMENSIONLESS),
-    ):
-        dimensions = [str(dim) for dim in values.dims[1:]]
-        variables |= sampling.sampled_variables(name, dimensions, values.values, attributes)
-    result = edges.isel(sample=0, drop=True).assign_coords(ratios.coords).assign(variables)
-    return result, sampled_edges
-
-
 def edges_of_ratios(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
     """Return the edges of ``filtered_force_ratio`` (..., cutoff_wavelength) of single surfaces."""
     ratio = ratios["filtered_force_ratio"]
@@ -213,3 +186,84 @@ def labelled_edges(
         rho=forces.attrs["rho"],
         sphere_radius=forces.attrs["sphere_radius"],
     )
+
+
+def edges_of_masters(
+    forces: xr.Dataset, tolerance: float, sampling: Sampling
+) -> tuple[xr.Dataset, xr.DataArray]:
+    """Return ratios and changes of the force on substitutes with their edges, and sampled edges.
+
+    Each master has a scan of its own, unlike those of `edges_of_scans`. Sampled edges are (1 +
+    sample, ..., side, group). The first is the edge itself, NaN if it is open. In the others the
+    bound replaces an open edge.
+    """
+    # The word "scales" is a part of the seed: another word would give other samples.
+    ratios = sampling.sample_means("scales", forces["filtered_force_ratio"], "realization")
+    ratios = ratios.transpose("sample", ..., "side", "surface", CUTOFF)
+    group_ratios = ratios.rename(surface="group")
+    changes = abs(group_ratios - 1)
+    # The mean over surfaces is that of |ratio - 1|, because signs would cancel.
+    mean_change = changes.mean("group", skipna=False).expand_dims(group=[MEAN_GROUP], axis=-2)
+    spectrum_ends = forces["spectrum_end"].rename(surface="group")
+    group_edges = [
+        find_edges(xr.ufuncs.log(group_ratios), logarithmic_limits(tolerance), spectrum_ends),
+        find_edges(mean_change, (-np.inf, tolerance), spectrum_ends.mean("group")),
+    ]
+    edges = xr.concat(group_edges, "group")
+    sampled_edges = edges["edge"].where(edges["sample"] == 0, edges_or_bounds(edges))
+    variables: dict[str, Any] = {}
+    for name, values, attributes in (
+        ("edge", sampled_edges, NM),
+        ("filtered_force_change", xr.concat([changes, mean_change], "group"), DIMENSIONLESS),
+        ("filtered_force_ratio", ratios, DIMENSIONLESS),
+    ):
+        dimensions = [str(dim) for dim in values.dims[1:]]
+        variables |= sampling.sampled_variables(name, dimensions, values.values, attributes)
+    result = edges.isel(sample=0, drop=True).assign_coords(ratios.coords).assign(variables)
+    return result, sampled_edges
+
+
+def edges_of_scans(
+    forces: xr.Dataset,
+    hindcast: xr.Dataset | None,
+    master_scans: MasterScans,
+    tolerance: float,
+    confidence: float,
+) -> xr.Dataset:
+    """Return the edges of the band of every surface and the force ratios, with intervals.
+
+    `forces` is filtered_forces.nc, `hindcast` hindcast.nc, or None if all surfaces are substitutes.
+    """
+    ratios = summarize_masters(
+        forces, master_scans, lambda masters: _ratios_of_masters(masters, confidence)
+    )
+    if hindcast is not None:
+        ratios = _widen_ratios(ratios, hindcast["hindcast_ratio"])
+    edges = edges_of_ratios(ratios, tolerance)
+    if hindcast is not None:
+        # Masters may hide ripples, because artificial roughness lowers their forces.
+        scan_ratio = hindcast["filtered_scan_ratio"].reindex(surface=edges["surface"])
+        are_rippled = (edges["side"] == "short") & (scan_ratio < 1 - tolerance)
+        edges = remove_rippled_edges(edges, are_rippled).transpose("surface", "side", ...)
+    interval_source = ratios["interval_source"].isel(side=0, drop=True)
+    return edges.merge(ratios.assign(interval_source=interval_source))
+
+
+def _ratios_of_masters(master_forces: MasterForces, confidence: float) -> xr.Dataset:
+    """Return the force ratios of one surface and side, with intervals and their source."""
+    half_width = half_width_over_masters(master_forces, truediv, "log_ratio_shift", confidence)
+    ratio = master_forces.forces.filtered_force_ratio.mean("realization").values
+    interval = logarithmic_interval(ratio, half_width)
+    return xr.Dataset(
+        as_variables("filtered_force_ratio", CUTOFF, ratio, interval, DIMENSIONLESS, confidence)
+        | {"interval_source": master_forces.scan_parts.interval_source},
+        {CUTOFF: master_forces.forces[CUTOFF].variable},
+    )
+
+
+def _widen_ratios(ratios: xr.Dataset, hindcast_ratio: xr.DataArray) -> xr.Dataset:
+    """Return ratios whose intervals contain the error of artificial roughness."""
+    # Where the filter changes nothing, there is no error.
+    log_error = abs(np.log(hindcast_ratio.reindex(surface=ratios["surface"]).fillna(1)))
+    log_ratio = abs(np.log(ratios["filtered_force_ratio"]))
+    return widen_interval(ratios, "filtered_force_ratio", np.exp(np.minimum(log_error, log_ratio)))
