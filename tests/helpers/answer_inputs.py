@@ -1,15 +1,20 @@
 """Small datasets of the user's surfaces, as in a study: edges, forces, fits, spectra, maps."""
 
+import json
 from functools import cache
 from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
 from intervals import between_multiples
+from paper_study import CITATION, svg
 
 from hardcontact.base.statistics import as_variables
-from hardcontact.report.own_surfaces.answer import surface_answers
+from hardcontact.report.figures.listing import OWN_FIGURES
+from hardcontact.report.own_surfaces.answer import LIMITS, own_answer, surface_answers
 from hardcontact.report.own_surfaces.datasets import Datasets, Setting
+from hardcontact.report.quantities import answer_text
+from hardcontact.report.templates import Frame, render_page
 from hardcontact.scans.defects import DEFECT_UNITS
 from hardcontact.surfaces.spectrum import BIN_EDGES, WAVEVECTORS
 
@@ -368,3 +373,28 @@ def setting():
 def numbers_of(own_setting=None, **others):
     """Return the numbers of the answer of the first surface by name; `others` replace datasets."""
     return surface_answers(datasets(**others), own_setting or setting())[0].numbers
+
+
+LONG_NAME = "/scans/" + "a-very-long-name-of-a-scan-" * 5 + "1.spm"
+FORCES = "two substitutes, forces"
+#: Datasets of studies that differ in what they have.
+CASES = {
+    "one": datasets(),
+    "open, one force": datasets(
+        edges=open_edges(),
+        fit=fit(),
+        spectra=spectra().assign(path=spectra()["path"].astype(object) + LONG_NAME),
+    ),
+    FORCES: datasets(2, topography=topography(2, "substitute"), fit=fit(2)),
+}
+
+
+def make_answer(own_datasets):
+    """Return the content of answer.json."""
+    return json.loads(answer_text(own_answer(own_datasets, setting())))
+
+
+def make_page(own_datasets):
+    """Return the page of an answer as answer.json has it."""
+    pictures = {name: svg(f"#{index:03}") for index, name in enumerate(OWN_FIGURES)}
+    return render_page(make_answer(own_datasets), pictures, CITATION, Frame("1.2.3"), **LIMITS)

@@ -1,32 +1,22 @@
 """Pages in a browser: no fault of accessibility, every screen, tables, folds and figures in use."""
 
-import json
 from functools import cache
 
 import pytest
-from answer_inputs import datasets, fit, open_edges, setting, spectra, topography
+from answer_inputs import CASES, FORCES
+from answer_inputs import make_page as make_own_page
 from browser import HEIGHT, WIDTHS, audit_page, measure_pages, needs_browser, run_on_pages
 from html_page import Page
-from paper_study import CITATION, FRAME, claims, make_page, svg
+from paper_study import FRAME, claims, make_page, svg
 from repository import PAPER, ROOT
 
 from hardcontact.paper.claims.verdicts import VERDICTS
 from hardcontact.report.figures.listing import OWN_FIGURES, PAPER_FIGURES
-from hardcontact.report.own_surfaces.answer import LIMITS, own_answer
 from hardcontact.report.paper_study.pages import report_pages
-from hardcontact.report.quantities import answer_text
-from hardcontact.report.templates import Frame, render_page
 
 pytestmark = [needs_browser, pytest.mark.study]
 #: Words of cells in the order of their numbers, the last without any.
 LENGTHS = ["<5 nm", "43 [40, 50] nm", "250 nm to 1 mm", "1.8 µm", "0.5 mm", ""]
-
-
-def surfaces_page(own_datasets):
-    """The page of the user's surfaces."""
-    answer = json.loads(answer_text(own_answer(own_datasets, setting())))
-    pictures = dict.fromkeys(OWN_FIGURES, svg("#bbb"))
-    return render_page(answer, pictures, CITATION, Frame("1.2.3"), **LIMITS)
 
 
 @cache
@@ -35,10 +25,9 @@ def page_of(name):
     if name == "answer":
         return make_page()
     if name == "own":
-        return surfaces_page(datasets(2, topography=topography(2, "substitute"), fit=fit(2)))
+        return make_own_page(CASES[FORCES])
     if name == "own, with a long name":
-        paths = spectra()["path"].astype(object) + "-very-long-name" * 9
-        return surfaces_page(datasets(edges=open_edges(), spectra=spectra().assign(path=paths)))
+        return make_own_page(CASES["open, one force"])
     texts = {"theory": (ROOT / "workflow/report/theory.md").read_text("utf-8")}
     lengths = {f"scan {number}": text for number, text in enumerate(LENGTHS[::-1])}
     return report_pages(claims()[:14], [], texts, PAPER, lengths, FRAME)[name]

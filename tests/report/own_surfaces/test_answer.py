@@ -8,25 +8,15 @@ import pytest
 from jsonschema import Draft202012Validator
 from repository import ROOT
 
-from hardcontact.report.own_surfaces.answer import own_answer
-from hardcontact.report.quantities import answer_text
-
 SCHEMA = json.loads((ROOT / "workflow/schemas/answer.schema.json").read_text("utf-8"))
 
 
-CASES = {
-    "one": inputs.datasets(),
-    "open, one force": inputs.datasets(edges=inputs.open_edges(), fit=inputs.fit()),
-    "two substitutes, forces": inputs.datasets(
-        2, topography=inputs.topography(2, "substitute"), fit=inputs.fit(2)
-    ),
-    "no band": inputs.datasets(edges=inputs.unresolved_edges()),
-}
+CASES = inputs.CASES | {"no band": inputs.datasets(edges=inputs.unresolved_edges())}
 
 
 @cache
 def content(case):
-    return json.loads(answer_text(own_answer(CASES[case], inputs.setting())))
+    return inputs.make_answer(CASES[case])
 
 
 def quantities(case, surface="my_coating"):

@@ -1,8 +1,6 @@
 """The page of the user's surfaces: self-contained, honest, readable; figures show the datasets."""
 
-import json
 import re
-from functools import cache
 
 import answer_inputs as inputs
 import numpy as np
@@ -10,70 +8,31 @@ import pytest
 from html_page import Page
 from intervals import between_multiples
 from matplotlib.text import Text
-from paper_study import CITATION, svg
 from refusals import assert_says
 
 from hardcontact.report.figures import style
 from hardcontact.report.figures.listing import OWN_FIGURES
 from hardcontact.report.own_surfaces import figures
-from hardcontact.report.own_surfaces.answer import LIMITS, own_answer
-from hardcontact.report.quantities import answer_text
-from hardcontact.report.templates import Frame, render_page
 
-FORCES = "two substitutes, forces"
-LONG = "/scans/" + "a-very-long-name-of-a-scan-" * 5 + "1.spm"
-CASES = {
-    "one": (inputs.datasets(), inputs.setting()),
-    "open, one force": (
-        inputs.datasets(
-            edges=inputs.open_edges(),
-            fit=inputs.fit(),
-            spectra=inputs.spectra().assign(path=inputs.spectra()["path"].astype(object) + LONG),
-        ),
-        inputs.setting(),
-    ),
-    FORCES: (
-        inputs.datasets(2, topography=inputs.topography(2, "substitute"), fit=inputs.fit(2)),
-        inputs.setting(),
-    ),
-}
 FIRST = {"surface": inputs.SURFACES[0]}
 PHONE = 358  # pixels that a figure is wide on a screen of 390
 MIN_TEXT = 9.0  # pixels: as small as footnotes on phones are
 
 
-PICTURES = {name: svg(f"#{index:03}") for index, name in enumerate(OWN_FIGURES)}
-
-
-def page_of(own_datasets, own_setting=None):
-    """The page of an answer as answer.json has it."""
-    answer = json.loads(answer_text(own_answer(own_datasets, own_setting or inputs.setting())))
-    return render_page(answer, PICTURES, CITATION, Frame("1.2.3"), **LIMITS)
-
-
-@cache
-def html(case):
-    return page_of(*CASES[case])
-
-
-@cache
-def page(case):
-    return Page(html(case))
-
-
-@pytest.mark.parametrize("case", CASES)
+@pytest.mark.parametrize("case", inputs.CASES)
 def test_the_page_is_self_contained_and_describes_every_picture(case):
-    texts = " ".join([*page(case).texts["main"], *page(case).values("alt")])
+    page = Page(inputs.make_page(inputs.CASES[case]))
+    texts = " ".join([*page.texts["main"], *page.values("alt")])
     assert not re.search(r"\bnan\b|\binf\b|None", texts)
-    assert not {"link", "iframe", "object"} & set(page(case).attributes)
-    assert all(source.startswith("data:image/svg+xml") for source in page(case).values("src"))
-    alternatives = page(case).values("alt")
+    assert not {"link", "iframe", "object"} & set(page.attributes)
+    assert all(source.startswith("data:image/svg+xml") for source in page.values("src"))
+    alternatives = page.values("alt")
     assert all(len(text) > 30 for text in alternatives)
     assert len(set(alternatives)) == len(alternatives)
 
 
 def headline_of(**changed):
-    return " ".join(own_answer(inputs.datasets(**changed), inputs.setting())["headline"])
+    return " ".join(inputs.make_answer(inputs.datasets(**changed))["headline"])
 
 
 @pytest.mark.parametrize(("ratio", "lead"), [(0.3, "Its roughness is not that"), (np.nan, "Short")])
@@ -86,7 +45,7 @@ def test_a_hindcast_that_fails_or_lacks_an_octave_leaves_no_edge(ratio, lead):
     assert_says(line, f"partly answered. {lead}", "Short edge not known. Long edge 1.7")
     (note,) = [
         note["text"]
-        for note in own_answer(inputs.datasets(force=data), inputs.setting())["notes"]
+        for note in inputs.make_answer(inputs.datasets(force=data))["notes"]
         if note["code"] == "hindcast_short"
     ]
     assert_says(note, "0.30 [0.27, 0.33]" if ratio == 0.3 else "show no octave", "below 20 nm")
@@ -116,7 +75,7 @@ def test_names_of_the_user_are_escaped():
     paths = data.spectra["path"].astype(object) + hostile
     labelled = type(data)(*(dataset.assign(label=("surface", [hostile])) for dataset in data[:5]))
     labelled = labelled._replace(spectra=labelled.spectra.assign(path=paths))
-    text = page_of(labelled)
+    text = inputs.make_page(labelled)
     assert "<b>" not in text and Page(text).texts["h1"]
 
 
@@ -167,7 +126,7 @@ def test_forces_of_both_models_are_drawn_over_the_range():
 @pytest.mark.parametrize("name", OWN_FIGURES)
 def test_figures_are_readable_on_a_phone_and_name_their_surfaces_and_units(name):
     with style.print_style():
-        figure = figures.OWN_DRAWINGS[name](CASES[FORCES][0])
+        figure = figures.OWN_DRAWINGS[name](inputs.CASES[inputs.FORCES])
         figure.draw_without_rendering()
     texts = [text for text in figure.findobj(Text) if text.get_visible() and text.get_text()]
     points = PHONE / (72 * figure.get_figwidth())
