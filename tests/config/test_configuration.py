@@ -11,8 +11,6 @@ from hardcontact.config import configuration, key_tables
 from hardcontact.config.faults import collect_faults, raise_faults
 from hardcontact.config.user_files import refuse_unreadable
 
-# Keys
-
 
 @pytest.mark.parametrize(
     ("key", "value", "message_parts"),
@@ -45,9 +43,6 @@ def test_a_faulty_value_is_refused_with_its_key(key, value, message_parts):
     assert_says(message, "config key ", "expected", *message_parts)
 
 
-# Files
-
-
 @pytest.mark.parametrize(
     ("content", "message_part"),
     [
@@ -76,9 +71,6 @@ def test_a_file_that_is_no_configuration_is_refused(tmp_path, content, message_p
     assert message.startswith(f"{path}: expected YAML with keys at its top, found: ")
     assert_says(message, message_part)
     assert len(message.splitlines()) == 1 and len(message) < len(str(path)) + 200
-
-
-# Many faults
 
 
 def test_each_fault_is_reported_once_in_order():

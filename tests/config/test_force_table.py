@@ -26,6 +26,8 @@ def test_a_table_may_have_decimal_commas_between_semicolons(write_table):
         ("surface,pull-off [nN]", "bare,10000"),
         ("surface,site,value (µN)", "bare,,10"),
         ("Surface\tValue [nN]", "bare\t1,0e4"),
+        ("surface,value (nN),error (nN)", "bare,10000,30"),
+        ("surface,operator,value,unit", "bare,a,10,uN"),
     ],
 )
 def test_forces_are_read_in_the_units_that_people_have(tmp_path, header, row):
@@ -39,18 +41,6 @@ def test_a_table_of_one_surface_needs_no_name(write_table):
     path = write_table("Adhesion (nN)", "400")
     assert read_forces(path, ["bare"], RADIUS).iloc[0].tolist() == ["bare", 4e-7, 4e-7, 1, ""]
     assert_says(refusal(read_forces, path, SURFACES, RADIUS), "surface, value, unit")
-
-
-def test_a_second_column_of_forces_is_not_read(write_table):
-    path = write_table("surface,value (nN),error (nN)", "bare,400,30")
-    assert read_forces(path, SURFACES, RADIUS)["mean"].tolist() == [4e-7]
-    path = write_table("surface,adhesion (nN),error (nN)", "bare,400,30")
-    assert_says(refusal(read_forces, path, SURFACES, RADIUS), "adhesion, error")
-
-
-def test_a_count_needs_a_mean_and_a_median(write_table):
-    path = write_table("surface,value,unit,count", "bare,5,nN,40")
-    assert_says(refusal(read_forces, path, SURFACES, RADIUS), "count", "found 40")
 
 
 def test_each_kind_of_fault_of_a_table_of_forces_has_its_line(write_table):
@@ -97,6 +87,8 @@ def test_a_summary_needs_one_row_per_surface_and_a_median_below_the_mean(
         (b"", "surface, value, unit"),
         (b"surface,value,unit", "surface, value, unit"),
         (b"surface,mean_force\na,1", "surface, value, unit"),
+        (b"surface,adhesion (nN),error (nN)\nbare,400,30", "adhesion, error"),
+        (b"surface,value,unit,count\nbare,5,nN,40", "median, found 40"),
         (b"surface,value,unit,place\nbare,1,uN,a", "did you mean site?"),
         (b"surface,sites,value,unit\nbare,a,1,uN", "found sites (did you mean site?)"),
         (b"\xff\xfe\x00", "UTF-8"),
@@ -118,8 +110,3 @@ def test_a_table_of_200_mb_is_not_read(tmp_path):
         file.truncate(200_000_000)
     message = refusal(read_forces, path, SURFACES, RADIUS)
     assert_says(message, "my.csv", "of at most 10 MB, found 200 MB")
-
-
-def test_a_column_that_resembles_none_is_ignored(write_table):
-    path = write_table("surface,operator,value,unit", "bare,a,1,uN")
-    assert read_forces(path, SURFACES, RADIUS)["mean"].tolist() == [1e-6]

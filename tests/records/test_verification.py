@@ -110,15 +110,10 @@ def test_a_command_checks_an_archive_from_elsewhere_and_writes_nothing(
     assert files_of(study) == files
 
 
-# The tiny study
-
-FINAL = "results/tiny"
-
-
 @pytest.mark.study
 def test_a_finished_study_has_no_faults(finished, monkeypatch):
     monkeypatch.chdir(finished)
-    faults, (counts,) = verify_study(FINAL)
+    faults, (counts,) = verify_study("results/tiny")
     assert faults == [] and counts.endswith("0 faults, 0 inputs not at hand")
     # All files of the store were checked, and the results.
     store_count = len(list((finished / "results/store-tiny").rglob("*.nc")))

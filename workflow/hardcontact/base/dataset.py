@@ -37,10 +37,7 @@ def read_meanings(name: str) -> dict[str, str]:
 
 
 def describe_variables(dataset: xr.Dataset, meanings: Mapping[str, str]) -> xr.Dataset:
-    """Return a dataset whose variables have their meaning as `long_name`, and whole numbers a unit.
-
-    An interval has the meaning of its variable.
-    """
+    """Return a dataset whose variables have meanings as `long_name`, and whole numbers a unit."""
     result = dataset.copy()
     for name, variable in result.variables.items():
         meaning = meanings.get(str(name).removesuffix("_interval"))
@@ -52,12 +49,10 @@ def describe_variables(dataset: xr.Dataset, meanings: Mapping[str, str]) -> xr.D
 
 
 def read_dataset(path: str | Path) -> xr.Dataset:
-    """Read a dataset into memory; raises ValueError if the file is missing or damaged.
-
-    The encoding is dropped: it fixes the length of texts, and would cut longer ones when joined.
-    """
+    """Read a dataset into memory; raises ValueError if the file is missing or damaged."""
     try:
         with xr.open_dataset(path, engine="netcdf4") as dataset:
+            # The encoding fixes the length of texts, and would cut longer ones when joined.
             return dataset.load().drop_encoding()
     except (OSError, RuntimeError, ValueError) as error:
         reason = " ".join(str(error).split()) or type(error).__name__
@@ -87,10 +82,7 @@ def concatenate(
 
 
 def stack(datasets: DatasetsByLabels, dimensions: Sequence[str]) -> xr.Dataset:
-    """Join datasets along new dimensions, the outermost first; missing combinations are NaN.
-
-    Labels keep the order of the keys. Inner labels are sorted if they differ between outer labels.
-    """
+    """Join datasets along new dimensions, the outermost first; missing combinations are NaN."""
     if not dimensions:  # The recursion ends at a single dataset, whose key is empty.
         return datasets[()]
     groups: dict[Any, dict[tuple[Any, ...], xr.Dataset]] = {}

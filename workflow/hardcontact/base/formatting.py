@@ -37,10 +37,7 @@ def round_to_three_digits(value: float, rounding: Callable[[float], int]) -> flo
 
 
 def format_value_and_ends(value: float, low: float, high: float, *limits: float) -> list[str]:
-    """Return a number and both ends of its interval, with digits that the interval's width needs.
-
-    An end gets more digits if rounding would move it to or across a limit.
-    """
+    """Return a number and both ends of its interval, rounded as the interval permits."""
     numbers = (value, low, high)
     if not all(map(math.isfinite, numbers)):
         return [_format_digits(number, 2) for number in numbers]

@@ -69,8 +69,7 @@ def percentile_interval(samples: ArrayLike, confidence: float) -> Floats:
 def widen_interval(dataset: xr.Dataset, name: str, error: xr.DataArray) -> xr.Dataset:
     """Return a dataset with a wider interval of a positive variable, by an independent error.
 
-    The error is a factor; NaN stands for no error. Logarithms of half widths and error add in
-    squares.
+    The error is a factor; NaN stands for no error.
     """
     value = dataset[name]
     log_error = abs(np.log(error.fillna(1)))

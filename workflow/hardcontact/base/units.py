@@ -16,22 +16,19 @@ PREFIXES = {
     "f": -15, "p": -12, "n": -9, "u": -6, "µ": -6, "μ": -6, "m": -3, "c": -2, "": 0, "k": 3, "M": 6,
     "G": 9, "T": 12,
 }  # fmt: skip
-#: By unit of the study: accepted units of the same dimension, each with its power of ten.
-POWERS_OF_TEN = {
-    "nm": {f"{prefix}m": power + 9 for prefix, power in PREFIXES.items()} | {"Å": -1},
-    "N": {f"{prefix}N": power for prefix, power in PREFIXES.items()} | {"dyn": -5},
-    "Pa": {f"{prefix}Pa": power for prefix, power in PREFIXES.items()} | {"bar": 5, "N/mm2": 6},
-    "J/m2": {
-        f"{prefix}{unit}": power for prefix, power in PREFIXES.items() for unit in ("J/m2", "N/m")
-    }
-    | {"erg/cm2": -3, "dyn/cm": -3},
+#: By unit of the study: the factor of each accepted unit of the same dimension.
+FACTORS: dict[str, dict[str, float]] = {
+    "nm": {"Å": 0.1},
+    "N": {"dyn": 1e-5},
+    "Pa": {"bar": 1e5, "N/mm2": 1e6},
+    "J/m2": {"erg/cm2": 1e-3, "dyn/cm": 1e-3},
 }
-#: By unit of the study: the factor of each accepted unit; a gram of force is no power of ten.
-FACTORS = {
-    unit: {name: 10.0**power for name, power in powers.items()}
-    for unit, powers in POWERS_OF_TEN.items()
-}
-FACTORS["N"] |= {f"{prefix}gf": 9.80665e-3 * 10.0**power for prefix, power in PREFIXES.items()}
+for _prefix, _power in PREFIXES.items():
+    FACTORS["nm"][f"{_prefix}m"] = 10.0 ** (_power + 9)
+    FACTORS["N"][f"{_prefix}N"] = 10.0**_power
+    FACTORS["N"][f"{_prefix}gf"] = 9.80665e-3 * 10.0**_power
+    FACTORS["Pa"][f"{_prefix}Pa"] = 10.0**_power
+    FACTORS["J/m2"][f"{_prefix}J/m2"] = FACTORS["J/m2"][f"{_prefix}N/m"] = 10.0**_power
 #: Units of formulas, in SI units.
 NANOMETRE = NANONEWTON = 1e-9
 GIGAPASCAL = 1e9
@@ -69,7 +66,7 @@ def format_exact(value: float, unit: str) -> str:
     """Return a quantity of the study with all its digits: ``(1e-5, "N")`` is ``"10 µN"``."""
     name = "m" if unit == "nm" else unit
     for prefix in ("G", "M", "k", "", "m", "µ", "n", "p", "f"):
-        number = float(f"{value / 10.0 ** POWERS_OF_TEN[unit][prefix + name]:.12g}")
+        number = float(f"{value / FACTORS[unit][prefix + name]:.12g}")
         if abs(number) >= 1:
             break
     return f"{number:.12g} {prefix}{name.replace('2', '²')}"
@@ -77,7 +74,5 @@ def format_exact(value: float, unit: str) -> str:
 
 def path_token(value: float, prefixed_unit: str) -> str:
     """Return a quantity of the study for a path: ``(1e-5, "uN")`` is ``"10uN"``."""
-    power = next(
-        powers[prefixed_unit] for powers in POWERS_OF_TEN.values() if prefixed_unit in powers
-    )
-    return f"{value / 10.0**power:.12g}{prefixed_unit}"
+    (factor,) = (units[prefixed_unit] for units in FACTORS.values() if prefixed_unit in units)
+    return f"{value / factor:.12g}{prefixed_unit}"

@@ -109,10 +109,7 @@ def check_positive(**numbers: object) -> None:
 
 
 def check_quantities(**numbers: Any) -> None:
-    """Refuse quantities of a contact beyond the limits of their keys, and warn of unusual ones.
-
-    Lengths are in nm, `preload` in N, `hardness` in Pa, `work` in J/m².
-    """
+    """Refuse quantities of a contact beyond the limits of their keys, and warn of unusual ones."""
     check_positive(**numbers)
     options = {name: "range" if name == "rho" else name for name in numbers}
     types = {name: quantity_type(CONTACT_QUANTITIES[options[name]][0]) for name in numbers}

@@ -35,10 +35,7 @@ def quantity_type(key: str) -> Quantity:
 
 
 def numeric_configuration(config: object, prefix: str = "") -> dict[str, Any]:
-    """Return a configuration with every quantity as a number in nm, N, Pa or J/m².
-
-    Missing keys have their defaults. Messages begin with the prefix.
-    """
+    """Return a configuration with all keys, and with quantities as numbers in nm, N, Pa, J/m²."""
     # `scans` may be a word in place of a list, of which pydantic would warn.
     return validate(Study, config, f"{prefix}config key ").model_dump(warnings=False)
 
@@ -60,10 +57,7 @@ def merge_overlay(config: Mapping[str, Any], overlay: Mapping[str, Any]) -> dict
 
 
 def apply_effort(config: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the configuration; with `effort: quick` the keys under `quick` replace others.
-
-    The names of study and store then end with QUICK_SUFFIX.
-    """
+    """Return the configuration; with `effort: quick` the keys under `quick` replace others."""
     quick = config.get("quick")
     if config.get("effort") != "quick" or not isinstance(quick, dict):
         return dict(config)

@@ -36,8 +36,7 @@ def read_forces(
     """Return the user's pull-off forces on the surfaces of a study, by line of the file.
 
     The columns are surface, mean and median in N, count of forces, and site. A force over the
-    radius of the probe is multiplied by the `radius` (nm). `named_by` is the key or the option with
-    the path, for messages.
+    radius of the probe is multiplied by the `radius` (nm).
     """
     table = user_table(path, f"a table of forces ({named_by})", decode=_decode_forces)
     header, units = _split_units(table.header)

@@ -68,10 +68,7 @@ class Selection:
         digests: Mapping[str, str],
         published_surfaces: Collection[str],
     ) -> None:
-        """Take the results of `selected_scans` and `digest_surfaces`, and the surfaces of Table 1.
-
-        A sphere that is not in the table of surfaces is smooth.
-        """
+        """Take the rows of a study; a sphere without rows is smooth."""
         self._rows = rows
         self._contact_rows = rows[rows.use == CONTACT_USE]
         self._cells = rows.set_index(["surface", "scan"])
@@ -119,21 +116,6 @@ class Selection:
         """Return the indices, from 0, of the scans with contacts among all scans of a surface."""
         uses = self._rows.use[self._rows.surface == surface]
         return [index for index, use in enumerate(uses) if use == CONTACT_USE]
-
-    def master_scan_in_turn(self, surface: str, master_number: int) -> int:
-        """Return the number of the scan in a master: masters take scans in turn."""
-        scans = self.contact_scans(surface)
-        return scans[(master_number - 1) % len(scans)]
-
-    def separate_master_scan(self, surface: str, master_number: int) -> int:
-        """Return the number of the scan in a master: no other master has the same substitute scan.
-
-        Substitute scans beyond those of the study are made for masters alone.
-        """
-        scans = self.contact_scans(surface)
-        if master_number <= len(scans) or surface in self.measured_surfaces:
-            return self.master_scan_in_turn(surface, master_number)
-        return max(scans) + master_number - len(scans)
 
     def path(self, surface: str, scan: int) -> str:
         """Return the file of a measured scan, or the description of a substitute."""

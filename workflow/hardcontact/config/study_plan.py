@@ -2,7 +2,7 @@
 
 import math
 from collections import defaultdict
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from hardcontact.config.configuration import is_paper_study, study_contact
@@ -30,27 +30,25 @@ class StudyPlan:
         self.selection = selection
         self.contact = study_contact(study)
 
-    # Scans that contacts are made on
-
     @property
     def scan_ids(self) -> list[ScanId]:
         """The scans with contacts of all surfaces."""
-        return self._scan_ids_of(self.selection.surfaces)
+        return [
+            ScanId(surface, scan)
+            for surface in self.selection.surfaces
+            for scan in self.selection.contact_scans(surface)
+        ]
 
     @property
     def substrate_scan_ids(self) -> list[ScanId]:
         """The scans with contacts of all substrates."""
-        return self._scan_ids_of(self.selection.substrates)
+        return [scan_id for scan_id in self.scan_ids if scan_id.surface != self.selection.sphere]
 
     @property
     def measured_scan_ids(self) -> list[ScanId]:
         """The scans with contacts of measured substrates."""
         measured = self.selection.measured_surfaces
         return [scan_id for scan_id in self.substrate_scan_ids if scan_id.surface in measured]
-
-    def _scan_ids_of(self, surfaces: Iterable[str]) -> list[ScanId]:
-        contact_scans = self.selection.contact_scans
-        return [ScanId(surface, scan) for surface in surfaces for scan in contact_scans(surface)]
 
     @property
     def scan_batches(self) -> dict[tuple[int, ...], list[str]]:
@@ -62,18 +60,23 @@ class StudyPlan:
         surfaces_by_scans = defaultdict[tuple[int, ...], list[str]](list)
         for surface in self.selection.substitutes:
             scans = self.selection.contact_scans(surface)
-            last_scan = self.selection.separate_master_scan(surface, master_count)
+            last_scan = self.master_scan(surface, master_count)
             surfaces_by_scans[tuple(scans)].append(surface)
             for start in range(max(scans) + 1, last_scan + 1, len(scans)):
                 surfaces_by_scans[tuple(range(start, start + len(scans)))].append(surface)
         return surfaces_by_scans
 
     def master_scan(self, surface: str, master_number: int) -> int:
-        """Return the number of the scan in a master."""
-        if is_paper_study(self.study):
-            return self.selection.separate_master_scan(surface, master_number)
-        # Intervals take into account that masters of a user's surface share scans.
-        return self.selection.master_scan_in_turn(surface, master_number)
+        """Return the number of the scan in a master.
+
+        In the paper's study more substitute scans are made, so that each master has its own. Other
+        masters take scans in turn, and their intervals take this into account.
+        """
+        scans = self.selection.contact_scans(surface)
+        is_measured = surface in self.selection.measured_surfaces
+        if master_number > len(scans) and is_paper_study(self.study) and not is_measured:
+            return max(scans) + master_number - len(scans)
+        return scans[(master_number - 1) % len(scans)]
 
     def sphere_radius(self, surface: str) -> float | None:
         """Return the radius (nm) of the sphere in scans of its surface, None in other scans."""
@@ -84,8 +87,6 @@ class StudyPlan:
         """The substrate whose scans have features, if it is a substitute of a published surface."""
         surface = self.study["substitutes"]["featured_surface"]
         return surface if surface in self.selection.sampled_substrates else None
-
-    # Both bodies
 
     @property
     def combined_surfaces(self) -> list[str]:

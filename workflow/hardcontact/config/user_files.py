@@ -75,10 +75,7 @@ class UserTable(NamedTuple):
     def require_columns(
         self, columns: Sequence[str], content: str, allowed: Collection[str] | None = None
     ) -> None:
-        """Refuse a table without rows, or with a missing, repeated or unknown column.
-
-        `content` describes the table in the message. Without `allowed` no column is unknown.
-        """
+        """Refuse a table without rows, or with a missing or repeated column, or one not allowed."""
         complete = set(columns) <= set(self.header) <= set(allowed or self.header)
         if not (self.cells and complete and len(set(self.header)) == len(self.header)):
             header = quote_key(", ".join(self.header))

@@ -1,7 +1,4 @@
-"""Chunks: what one job computes together, such as some scans of a pool or some masters.
-
-The fields of a chunk are wildcards of a path.
-"""
+"""Chunks: what one job computes together; the fields of a chunk are wildcards of its path."""
 
 from dataclasses import replace
 from math import ceil
@@ -66,8 +63,6 @@ class Chunks:
         self._study = files.plan.study
         self._selection = files.selection
 
-    # Pools, candidates and whole surfaces
-
     @property
     def pools(self) -> list[Chunk]:
         """The scans of all pools, for the sets: outputs of rule compute_pool."""
@@ -102,8 +97,6 @@ class Chunks:
         spans = _spans(self._study["band"]["whole_surfaces"], MASTERS_PER_JOB)
         substitutes = self._selection.substitute_substrates
         return [Chunk(surface, *span) for surface in substitutes for span in spans]
-
-    # Masters
 
     def master_forces(self, purpose: str) -> list[MasterForcesChunk]:
         """Return the chunks of masters of a purpose: outputs of rule compute_filtered_forces."""

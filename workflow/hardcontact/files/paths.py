@@ -164,8 +164,6 @@ class SurfaceFiles:
         """Return the paths of a pattern, one for each row, whose fields are its wildcards."""
         return [self.path(pattern, **row._asdict()) for row in rows]
 
-    # Surfaces
-
     def spectrum_path(self, surface: str) -> str:
         """Return the path of a spectrum: as measured, or for a substitute as calibrated."""
         if surface in self.selection.measured_surfaces:
@@ -197,8 +195,6 @@ class SurfaceFiles:
     def first_sphere_scan_path(self) -> str:
         """The path of the first scan of the sphere, which meets masters and changed scans."""
         return self.mirrored_scan_paths(self.selection.sphere)[0]
-
-    # Both bodies
 
     def contact_map_path(self, surface: str, scan: int) -> str:
         """Return the path of a mirrored scan, with the sphere's roughness if that is added."""

@@ -18,20 +18,16 @@ LOCK = "workflow/lock.txt"
 #: Copies of both without comments and hashes, on which jobs depend: a comment makes no file stale.
 ENVIRONMENT_PINS, LOCK_PINS = "results/environment.txt", "results/lock.txt"
 PIN_FILES = (ENVIRONMENT_PINS, LOCK_PINS)
-#: The command that installs the pinned versions.
-INSTALL = f"pip install --require-hashes -r {LOCK}"
 #: A line such as ``numpy==2.3.1``: name and version.
 PIN = re.compile(r"^([\w.-]+)(?:\[[^]]*\])?==([^\s;\\]+)", re.MULTILINE)
-#: The folder of the imported library.
 LIBRARY = Path(str(hardcontact.__file__)).resolve().parent
-#: The folder of the scripts beside it.
 SCRIPTS = LIBRARY.parent / "scripts"
 #: The top folder of the repository; studies name paths relative to it.
 ROOT = LIBRARY.parents[1]
 
 
 def read_pins(path: str | Path) -> dict[str, str]:
-    """Return the pinned versions in a requirements file, by package, in the order of the file."""
+    """Return the pinned versions in a requirements file, by package."""
     return dict(PIN.findall(Path(path).read_text("utf-8")))
 
 
@@ -45,7 +41,7 @@ def write_pins() -> None:
 
 
 def refuse_other_versions() -> None:
-    """Raise ValueError, in one line, if an installed version is not the pinned one."""
+    """Refuse an installed version that is not the pinned one."""
     locked = normalize_names(read_pins(LOCK))
     required = normalize_names(read_pins(ENVIRONMENT))
     installed = {name: installed_version(name) for name in locked}
@@ -56,11 +52,12 @@ def refuse_other_versions() -> None:
         if installed[name] != pin and (installed[name] or name in required)
     ]
     if faults:
-        raise ValueError(f"packages: expected {'; '.join(faults)} (mend it: {INSTALL})")
+        install = f"pip install --require-hashes -r {LOCK}"
+        raise ValueError(f"packages: expected {'; '.join(faults)} (mend it: {install})")
 
 
 def normalize_names(pins: dict[str, str]) -> dict[str, str]:
-    """Return pins by the name that pip compares: without case, ``-``, ``_`` and ``.`` alike."""
+    """Return pins by the names that pip compares."""
     return {re.sub(r"[-_.]+", "-", name).lower(): pin for name, pin in pins.items()}
 
 
@@ -80,11 +77,10 @@ def page_templates() -> list[str]:
 
 @cache
 def code_inputs(script: str, *modules: str) -> Sequence[str]:
-    """Return the source files of a script, relative to the working directory.
+    """Return the files on which a script depends, relative to the working directory.
 
-    They are the script, all modules of the library that it imports, and the lists of pinned
-    packages. `modules` are further ones, imported by a name in a variable. Imports for type
-    checkers do not count.
+    They are the script, all modules of the library that it imports, and PIN_FILES. `modules` are
+    further ones, imported by a name in a variable.
     """
     paths = {SCRIPTS / script, *(path for name in modules for path in _module_files(name))}
     pending = [*paths]
@@ -97,7 +93,7 @@ def code_inputs(script: str, *modules: str) -> Sequence[str]:
 
 @cache
 def _imported_files(path: Path) -> frozenset[Path]:
-    """Return the files of the library that Python runs when it imports a file."""
+    """Return the files of the library that Python runs to import a file."""
     names = _imported_names(ast.parse(path.read_text("utf-8")))
     return frozenset(file for name in names for file in _module_files(name))
 

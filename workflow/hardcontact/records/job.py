@@ -18,26 +18,23 @@ from hardcontact.base.dataset import describe_variables, read_meanings, write_da
 from hardcontact.records.origin import (
     Origin,
     canonical_json,
+    changed_paths,
     file_digests,
     keep_records,
     record_path,
     refuse_edited_files,
-    refuse_inputs_changed_meanwhile,
 )
 
 _logger = logging.getLogger("hardcontact")
 
 
 class Job(NamedTuple):
-    """Inputs and parameters of a script, and methods that write its outputs.
+    """Inputs and parameters of a script, and methods that write its outputs."""
 
-    An output is given by its position or its name in the rule.
-    """
-
-    input: Any  #: Paths of the inputs, by position or by name in the rule.
-    output: Any  #: Paths of the outputs, likewise.
+    input: Any  #: Paths, by position or by name in the rule.
+    output: Any  #: Paths, likewise.
     parameters: dict[str, Any]  #: The rule's `params.parameters`, as JSON would keep them.
-    origin: Origin  #: Parameters, inputs and code, which determine the outputs.
+    origin: Origin
 
     def write(self, results: xr.Dataset, title: str, output: int | str = 0) -> None:
         """Write results, with their origin and the meanings of their variables."""
@@ -52,17 +49,13 @@ class Job(NamedTuple):
         write_dataset(complete, path)
 
     def write_text(self, text: str, output: int | str = 0) -> None:
-        """Write a text completely or not at all."""
+        """Write a text."""
         write_text_file(self.output[output], text)
 
 
 @contextmanager
 def run_job(snakemake: Any) -> Iterator[Job]:
-    """Log a script, yield its `Job`, and keep records of its outputs.
-
-    The job fails at the beginning if an input differs from what the study wrote, and at the end if
-    an input changed meanwhile.
-    """
+    """Log a script, yield its `Job`, and keep records of its outputs."""
     # Jobs make hardly any reference cycles; looking for them takes a twentieth of their time.
     gc.disable()
     try:
@@ -78,7 +71,10 @@ def run_job(snakemake: Any) -> Iterator[Job]:
             code = getattr(inputs, "code", [])  # a rule that writes nothing names no code
             origin = Origin(parameters_json, input_digests, list(code))
             yield Job(inputs, snakemake.output, json.loads(parameters_json), origin)
-            refuse_inputs_changed_meanwhile(input_digests)
+            if changed := changed_paths(input_digests):
+                raise ValueError(
+                    f"inputs changed while the job ran: {', '.join(changed)}; run again"
+                )
             keep_records((path for path in snakemake.output if Path(path).is_file()), origin)
     finally:
         gc.enable()
@@ -86,11 +82,7 @@ def run_job(snakemake: Any) -> Iterator[Job]:
 
 @contextmanager
 def job_log(path: str | Path) -> Iterator[None]:
-    """Keep the log of a job; an error goes there in full and to stderr in one line.
-
-    An error ends the process with exit code 1. Ctrl-C ends it without a message, because the run
-    prints that it was stopped.
-    """
+    """Keep the log of a job; an error goes there in full and to stderr in one line."""
     # If the log cannot be written, only the line on stderr is left.
     logging.raiseExceptions = False
     logging.lastResort = None
@@ -108,7 +100,7 @@ def job_log(path: str | Path) -> Iterator[None]:
         print(line, file=sys.stderr, flush=True)
         os._exit(1)  # netCDF that could not write crashes when Python cleans up
     except KeyboardInterrupt:
-        sys.exit(130)
+        sys.exit(130)  # The run prints that it was stopped.
     else:
         _logger.removeHandler(handler)
         with suppress(OSError):  # the disk may be full

@@ -1,8 +1,7 @@
 """The origin of a file: its parameters, inputs, code and the versions of packages.
 
-Datasets have their origin in their attributes. For every file that a job makes, a hidden folder
-beside it has a record of the origin and of the SHA-256 of the file. Records lead from the results
-of a study back to its scans, and decide what a run makes again.
+For every file that a job makes, a hidden folder beside it has a record of the origin and of the
+SHA-256 of the file. Records decide what a run makes again.
 """
 
 import hashlib
@@ -26,7 +25,7 @@ class Record(NamedTuple):
     """The stored `Origin` of a file that a job made, plus the file's own SHA-256 and lineage."""
 
     parameters: dict[str, Any]
-    versions: dict[str, str]  #: Versions of PACKAGES, by package.
+    versions: dict[str, str]
     input_digests: dict[str, str]  #: SHA-256 by path.
     sha256: str
     lineage: str  #: From `lineage_digest`; empty in records of former versions.
@@ -43,7 +42,7 @@ def value_digest(value: object) -> str:
 
 
 def short_value_digest(value: object) -> str:
-    """Return the first eight digits of `value_digest`, as a part of paths."""
+    """Return a digest of a value for paths."""
     return value_digest(value)[:8]
 
 
@@ -62,29 +61,25 @@ def versions() -> dict[str, str]:
 def lineage_digest(parameters_json: str, input_lineages: Mapping[str, str]) -> str:
     """Return a digest of a file's parameters, of package versions and of the lineage of each input.
 
-    The lineage of a file that no job made is its SHA-256. A changed scan therefore changes the
-    lineage of a result even if the intermediates between both were deleted.
+    The lineage of a file that no job made is its SHA-256.
     """
     return value_digest([parameters_json, versions(), input_lineages])
 
 
 def file_digests(paths: Iterable[str | Path]) -> dict[str, str]:
-    """Return the SHA-256 of each of the files, by path."""
+    """Return the SHA-256 of files, by path."""
     return {Path(path).as_posix(): file_digest(path) for path in set(paths)}
 
 
 class Origin(NamedTuple):
     """The parameters, inputs and code from which a file was made."""
 
-    parameters_json: str  #: Canonical, as `canonical_json` returns it.
+    parameters_json: str  #: From `canonical_json`.
     input_digests: dict[str, str]  #: SHA-256 by path.
-    code: list[str]  #: Those inputs that are modules of code; `code_digest` sums them up.
+    code: list[str]  #: Those inputs that are code.
 
     def attributes(self) -> dict[str, str]:
-        """Return the origin as texts: equal texts mean an equal file.
-
-        The time of writing is not among them: it would differ between equal files.
-        """
+        """Return the origin as texts: equal texts mean an equal file."""
         return {
             "parameters": self.parameters_json,
             "versions": canonical_json(versions()),
@@ -114,10 +109,7 @@ def keep_records(paths: Iterable[str | Path], origin: Origin) -> None:
 
 
 def read_record(path: str | Path) -> Record | None:
-    """Return the record of a file, None if no job made the file.
-
-    Raises ValueError, with one line, if the record is damaged.
-    """
+    """Return the record of a file, None if it has none; refuse a damaged record."""
     path_of_record = record_path(path)
     if not path_of_record.is_file():
         return None
@@ -138,20 +130,17 @@ def read_record(path: str | Path) -> Record | None:
 
 
 def is_current(path: str | Path, parameters: Mapping[str, Any], input_path: str) -> bool:
-    """Return whether a job would make the same file from this input with these parameters now.
-
-    Raises ValueError, with one line, if the record of the file is damaged.
-    """
+    """Return whether a job would make the same file from this input with these parameters now."""
     record = read_record(path)
     if record is None or record.versions != versions():
         return False
     has_parameters = canonical_json(record.parameters) == canonical_json(parameters)
     has_input = Path(input_path).as_posix() in record.input_digests
     recorded_digests = record.input_digests | {str(path): record.sha256}
-    return has_parameters and has_input and not _changed_paths(recorded_digests)
+    return has_parameters and has_input and not changed_paths(recorded_digests)
 
 
-def _changed_paths(former_digests: Mapping[str, str]) -> list[str]:
+def changed_paths(former_digests: Mapping[str, str]) -> list[str]:
     """Return the files that are missing or have another SHA-256 than before."""
     return [
         path
@@ -161,21 +150,11 @@ def _changed_paths(former_digests: Mapping[str, str]) -> list[str]:
 
 
 def refuse_edited_files(digests_now: Mapping[str, str]) -> None:
-    """Raise ValueError, in one line, if a file differs from what a job wrote.
-
-    Files come with their SHA-256. Files that no job made, such as scans, may be edited.
-    """
-    records = {path: read_record(path) for path in sorted(digests_now)}
+    """Refuse files whose SHA-256 differs from their record; files that no job made may differ."""
     lines = [
         f"{path}: expected the file that the study wrote, found another"
-        for path, record in records.items()
-        if record and record.sha256 != digests_now[path]
+        for path, digest in sorted(digests_now.items())
+        if (record := read_record(path)) and record.sha256 != digest
     ]
     if lines:
         raise ValueError("; ".join(lines) + "; delete it: a run that needs it makes it again")
-
-
-def refuse_inputs_changed_meanwhile(digests_at_begin: Mapping[str, str]) -> None:
-    """Raise ValueError, in one line, if an input changed since its job began."""
-    if changed_paths := _changed_paths(digests_at_begin):
-        raise ValueError(f"inputs changed while the job ran: {', '.join(changed_paths)}; run again")

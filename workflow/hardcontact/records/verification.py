@@ -30,8 +30,7 @@ def traced_records(folder: str | Path) -> dict[str, Record]:
 def verify_study(folder: str | Path) -> tuple[list[str], list[str]]:
     """Return a line for each file of ``results/<study>`` that does not match, and a summary.
 
-    Files that led to the study are compared, too, unless they are missing. Raises ValueError, with
-    one line, if there is nothing to compare or a record is damaged.
+    Files that led to the study are compared, too, unless they are missing.
     """
     records = traced_records(folder)
     if not records:
@@ -83,17 +82,17 @@ def _unrecorded_faults(folder: str | Path, traced: Iterable[str]) -> Iterator[st
         for path in Path(folder).rglob("*")
         if RECORDS not in path.parts and path.relative_to(folder).parts[0] not in RUN_FOLDERS
     )
-    folders = {Path(path).parent for path in traced if _is_made(path)}
+    folders = {
+        Path(path).parent
+        for path in traced
+        # A job made it, even if all records in its folder are lost.
+        if (path.startswith("results/") and path not in PIN_FILES)
+        or record_path(path).parent.is_dir()
+    }
     store_files = (path for store_folder in folders for path in store_folder.iterdir())
     for path in sorted({*study_files, *store_files}):
         if path.is_file() and not record_path(path).is_file():
             yield f"{path.as_posix()}: expected a record of its origin, found none"
-
-
-def _is_made(path: str) -> bool:
-    """Return whether a job made a file, also if all records in its folder are lost."""
-    is_result = path.startswith("results/") and path not in PIN_FILES
-    return is_result or record_path(path).parent.is_dir()
 
 
 def _other_versions(records: Mapping[str, Record]) -> Iterator[str]:
