@@ -76,12 +76,10 @@ def test_jkr_asperities_match_brute_force(index):
 
 def test_without_roughness_every_model_has_the_force_of_its_smooth_sphere():
     flat = Roughness(*(np.array([tiny]) for tiny in (1e-7, 1e-2, 1e-9)))
+    smooth = dict.fromkeys(CLASSICAL_MODELS, hertz_jkr_dmt.dmt_pull_off(WORK, RADIUS))
+    smooth["fuller_tabor"] = hertz_jkr_dmt.jkr_pull_off(WORK, RADIUS)
     for name, model in CLASSICAL_MODELS.items():
-        smooth = (
-            hertz_jkr_dmt.jkr_pull_off if name == "fuller_tabor" else hertz_jkr_dmt.dmt_pull_off
-        )
-        force = model.force(WORK, flat, SPHERE)
-        assert force == pytest.approx(smooth(WORK, RADIUS), rel=2e-3), name
+        assert model.force(WORK, flat, SPHERE) == pytest.approx(smooth[name], rel=2e-3), name
 
 
 def test_close_packed_asperities_have_the_rms_height_of_the_models():

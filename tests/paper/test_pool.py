@@ -18,10 +18,7 @@ from hardcontact.paper.sets import scale_to_sampled_mean
 from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.metrics import TABLE1_METRICS, metrics
 
-
-@pytest.fixture
-def pool():
-    return pool_of(3, 4)
+POOL = range(1, 7)
 
 
 def test_heights_of_the_pool_cover_those_of_any_set():
@@ -45,13 +42,10 @@ def test_interpolation_is_exact_at_its_heights_and_of_cubics():
     np.testing.assert_array_equal(single_height, np.ones((3, 1)))
 
 
-def test_a_scan_does_not_depend_on_the_other_scans(pool):
-    single = pool_of(4)
-    np.testing.assert_array_equal(single["log_force"].sel(scan=4), pool["log_force"].sel(scan=4))
-    assert not np.allclose(pool["log_force"].sel(scan=3), pool["log_force"].sel(scan=4))
-
-
-POOL = range(1, 7)
+def test_a_scan_does_not_depend_on_the_other_scans():
+    forces = pool_of(3, 4)["log_force"]
+    np.testing.assert_array_equal(pool_of(4)["log_force"].sel(scan=4), forces.sel(scan=4))
+    assert not np.allclose(forces.sel(scan=3), forces.sel(scan=4))
 
 
 def test_a_set_has_the_forces_and_roughness_of_its_scans_at_the_sampled_heights():
@@ -68,10 +62,9 @@ def test_a_set_has_the_forces_and_roughness_of_its_scans_at_the_sampled_heights(
             assert sampled_scan[name].item() == pytest.approx(values[name], rel=1e-9)
         bodies = join_bodies(mirror_scan(scaled), None, CONTACT)
         direct = pull_off_dataset(bodies, CONTACT, RANGES)["pull_off_force"].values
-        np.testing.assert_allclose(
-            sampled_scan["pull_off_force"].squeeze("scan"), direct, rtol=0.15
-        )
-        means = sampled_scan["pull_off_force"].mean(["contact_y", "contact_x"]).squeeze("scan")
+        forces = sampled_scan["pull_off_force"].squeeze("scan")
+        np.testing.assert_allclose(forces, direct, rtol=0.15)
+        means = forces.mean(["contact_y", "contact_x"])
         np.testing.assert_allclose(means.sel(rho=5.6), direct[:, 2].mean(axis=(1, 2)), rtol=1e-3)
         np.testing.assert_allclose(means, direct.mean(axis=(2, 3)), rtol=0.03)
 
@@ -102,13 +95,8 @@ def test_sampled_means_of_measured_scans_spread_over_their_interval():
     forces = measured_forces(5)
     scans = forces.mean(["sphere_scan", "contact_y", "contact_x"])
     low, high = np.moveaxis(student_log_interval(scans, 0.9, "scan").values, -1, 0)
-    means = np.array(
-        [
-            scale_to_sampled_mean(forces, generator(5, n)).mean(
-                ["scan", "sphere_scan", "contact_y", "contact_x"]
-            )
-            for n in range(400)
-        ]
-    )
+    sampled = [scale_to_sampled_mean(forces, generator(5, n)) for n in range(400)]
+    axes = ["scan", "sphere_scan", "contact_y", "contact_x"]
+    means = np.array([set_forces.mean(axes) for set_forces in sampled])
     share = ((means > low) & (means < high)).mean(axis=0)
     np.testing.assert_allclose(share, 0.9, atol=4 * np.sqrt(0.09 / 400))

@@ -13,9 +13,8 @@ def sample(exponents, log_targets, errors):
     """Samples of ln range and ln work if forces are powers of the range."""
     rng = np.random.default_rng(1)
     curves = np.multiply.outer(exponents, LOG_RANGES)[None]
-    index, log_work = sample_range_and_work(
-        curves, np.array(log_targets), np.array(errors), rng, COUNT
-    )
+    targets = np.array(log_targets), np.array(errors)
+    index, log_work = sample_range_and_work(curves, *targets, rng, COUNT)
     return LOG_RANGES[index], log_work
 
 

@@ -72,14 +72,12 @@ CLAIM = {
 def make_datasets(substitutes=(), surfaces=SURFACES):
     """Heights and forces of 1, 2 and 4, forces within 10 %; scans are measured or substitutes."""
     names = [*SURFACES, "sphere"]
+    sources = ["substitute" if name in substitutes else "measured" for name in names]
     topography = xr.Dataset(
         {
             "rms_height_mean": ("surface", [1.0, 2.0, 4.0, 0.5]),
             "rms_gradient_mean": ("surface", [0.1, 0.2, 0.4, 0.05]),
-            "source": (
-                "surface",
-                ["substitute" if n in substitutes else "measured" for n in names],
-            ),
+            "source": ("surface", sources),
             "table1_rows_met": ("surface", ["afm_rms_height"] * 3 + [""]),
         },
         {"surface": names},
@@ -236,10 +234,8 @@ def test_a_claim_about_a_missing_surface_has_no_number():
     datasets = make_datasets(surfaces=["smooth", "middle"])
     datasets["forces"] = datasets["forces"].expand_dims(set=3)
     numbers = claim_values(rows, datasets, CONSTANTS)
-    assert numbers.dims == ("set", "claim") and numbers["claim"].values.tolist() == [
-        "claim",
-        "other",
-    ]
+    assert numbers.dims == ("set", "claim")
+    assert numbers["claim"].values.tolist() == ["claim", "other"]
     np.testing.assert_array_equal(numbers, [[2.0, np.nan]] * 3)
 
 

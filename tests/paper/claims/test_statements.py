@@ -40,11 +40,7 @@ def test_a_stray_character_is_refused_with_its_line_and_column(tmp_path, column)
         ("select", "surfaces=mcd", "found surfaces (did you mean surface?)"),
         ("select", "rho=far", "expected rho as a number, found far"),
         ("rule", "close", "expected interval, factor 2, below, above or order, found 'close'"),
-        (
-            "samples_from",
-            "posterior",
-            "nothing or sets for the dataset topography, found posterior",
-        ),
+        ("samples_from", "posterior", "sets for the dataset topography, found posterior"),
     ],
 )
 def test_a_faulty_cell_is_refused_with_its_line_and_column(tmp_path, column, cell, end):

@@ -65,11 +65,6 @@ def test_sets_decide_if_the_exact_interval_of_their_share_does(set_count):
         assert [accepted.verdict_of_sets(values, 0.95)] == expected
 
 
-def test_limits_are_accepted_by_intervals_only():
-    for rule, accepted in (("interval", True), ("below", False), ("above", False)):
-        assert accepted_range(rule, 5.0, 5.0).accepts([5.0, nan]).tolist() == [accepted, False]
-
-
 def test_a_factor_widens_both_limits():
     accepted = accepted_range("factor 2", 4.0, 6.0).accepts([1.9, 2.0, 12.0, 12.1])
     assert accepted.tolist() == [False, True, True, False]
@@ -93,9 +88,6 @@ def test_an_unknown_rule_or_one_without_its_limit_is_refused(rule):
 def test_samples_of_one_number_are_judged_with_its_interval(samples, verdict):
     low, high = np.percentile(samples, [2.5, 97.5])
     assert accepted_range("interval", 4.0, 6.0).verdict_of_posterior(samples, low, high) == verdict
-
-
-# The claims.csv of a study
 
 
 def test_summary_lists_every_verdict_and_counts_independent_statements():

@@ -83,10 +83,8 @@ def test_the_page_of_claims_has_a_row_for_each_and_counts_verdicts():
     )
     for cells, claim in zip(rows, independent_first, strict=True):
         row_text = " ".join(cells).replace("\N{NO-BREAK SPACE}", " ")
-        position = f"Statement {claim['position']} · "
-        assert_says(
-            row_text, position, *(claim[name] for name in ("statement", "number", "section"))
-        )
+        words = [claim[name] for name in ("statement", "number", "section")]
+        assert_says(row_text, f"Statement {claim['position']} · ", *words)
     counts = [row for row in page.rows if len(row) == 4][1:]
     assert [row[0].strip() for row in counts] == list(VERDICTS)
     assert all(row[3].strip() for row in counts)
