@@ -21,9 +21,8 @@ def test_contact_pixels_equal_those_of_the_whole_window(case, contact_pixel_coun
     for index in np.ndindex(contact_pixels.reference_gaps.shape[:2]):
         gaps, offsets = contact_pixels.reference_gaps[index], contact_pixels.offsets[index]
         window_gaps = gap_of_bodies(bodies, index)
-        np.testing.assert_allclose(
-            gaps, np.sort(window_gaps.ravel())[:contact_pixel_count], atol=1e-9
-        )
+        smallest_gaps = np.sort(window_gaps, axis=None)[:contact_pixel_count]
+        np.testing.assert_allclose(gaps, smallest_gaps, atol=1e-9)
         np.testing.assert_allclose(window_gaps[tuple((offsets + window // 2).T)], gaps, atol=1e-9)
         assert len(np.unique(offsets, axis=0)) == contact_pixel_count
 
@@ -38,17 +37,10 @@ def test_contact_pixels_are_the_load_over_hardness_and_pixel_area():
 
 @pytest.mark.parametrize("pixels", [3, 4, 9])
 def test_the_square_around_the_lowest_point_ends_at_the_edges(pixels):
-    size, half_pixels = 9, pixels // 2
-    for y, x in np.ndindex(size, size):
-        gap = np.arange(1.0, size**2 + 1).reshape(size, size)
+    for y, x in np.ndindex(9, 9):
+        gap = np.arange(1.0, 82.0).reshape(9, 9)
         gap[y, x] = 0.0
-        square = square_around_lowest(gap, pixels)
-        assert square.shape == (pixels, pixels)
-        lowest_indices = np.unravel_index(square.argmin(), square.shape)
-        for index, lowest_index in zip((y, x), lowest_indices, strict=True):
-            remaining_pixels = size - index
-            assert lowest_index == max(min(half_pixels, index), pixels - remaining_pixels)
-        rows = gap[y - lowest_indices[0] : y - lowest_indices[0] + pixels]
-        np.testing.assert_array_equal(
-            square, rows[:, x - lowest_indices[1] : x - lowest_indices[1] + pixels]
-        )
+        row = min(max(y - pixels // 2, 0), 9 - pixels)
+        column = min(max(x - pixels // 2, 0), 9 - pixels)
+        expected = gap[row : row + pixels, column : column + pixels]
+        np.testing.assert_array_equal(square_around_lowest(gap, pixels), expected)

@@ -37,15 +37,11 @@ def test_the_coarser_map_is_interpolated():
 
 
 def test_more_sampled_contacts_include_the_fewer_and_never_repeat():
-    five, twenty, all_contacts, no_more = (
-        geometry.sample_contacts(np.random.default_rng(3), 6, count) for count in (5, 20, 36, 37)
-    )
-    np.testing.assert_array_equal(no_more, all_contacts)
-    np.testing.assert_array_equal(five, all_contacts[:5])
-    np.testing.assert_array_equal(twenty, all_contacts[:20])
+    all_contacts = geometry.sample_contacts(np.random.default_rng(3), 6, 36)
     assert {tuple(contact) for contact in all_contacts.tolist()} == set(np.ndindex(6, 6))
-    other_draw = geometry.sample_contacts(np.random.default_rng(4), 6, 36)
-    assert (other_draw != all_contacts).any()
+    for count in (5, 20, 37):
+        contacts = geometry.sample_contacts(np.random.default_rng(3), 6, count)
+        np.testing.assert_array_equal(contacts, all_contacts[:count])
 
 
 @pytest.mark.parametrize("dtype", [np.float32, ">f4", ">f8", np.float16, np.int64])

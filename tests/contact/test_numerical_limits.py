@@ -1,6 +1,7 @@
 """Forces on mirrored scans, against those on the large surfaces from which scans are cut."""
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
@@ -23,6 +24,7 @@ from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.theory.summits import search_size, spectrum_between
 
 RADIUS, PIXEL = 250e3, 10e3 / 256
+DENSITY = partial(smooth_rolloff, plateau=1.0, rolloff=930.0, hurst=0.84)
 
 
 def mean_force(surface):
@@ -35,12 +37,7 @@ def scan_over_surface_force(rms_height, pixels):
     """Return the mean force on scans relative to the surfaces of 10 µm from which they are cut."""
     surface_forces, scan_forces = [], []
     for draw in range(20):
-        surface = random_surface(
-            generator(5, draw),
-            256,
-            PIXEL,
-            lambda q: smooth_rolloff(q, plateau=1.0, rolloff=930.0, hurst=0.84),
-        )
+        surface = random_surface(generator(5, draw), 256, PIXEL, DENSITY)
         factor = rms_height / surface.heights.std()
         surface = replace(surface, heights=factor * surface.heights)
         surface_forces.append(mean_force(surface))
@@ -50,14 +47,10 @@ def scan_over_surface_force(rms_height, pixels):
 
 @pytest.mark.parametrize("rms_height, pixels", [(17.0, 32), (17.0, 64), (2.0, 64), (0.3, 64)])
 def test_forces_on_scans_exceed_those_on_large_surfaces_as_measured(rms_height, pixels):
-    spectrum = Spectrum(
-        WAVEVECTORS, smooth_rolloff(WAVEVECTORS, plateau=1.0, rolloff=930.0, hurst=0.84)
-    )
+    spectrum = Spectrum(WAVEVECTORS, DENSITY(WAVEVECTORS))
     sampled_spectrum = spectrum_between(spectrum, 2 * np.pi / 10e3, np.pi / PIXEL)
-    scaled = Spectrum(
-        sampled_spectrum.wavevector,
-        sampled_spectrum.density * rms_height**2 / spectral_moment(sampled_spectrum, 0),
-    )
+    density = sampled_spectrum.density * rms_height**2 / spectral_moment(sampled_spectrum, 0)
+    scaled = Spectrum(sampled_spectrum.wavevector, density)
     minimum, maximum = finite_scan_ratio(pixels * PIXEL, search_size(scaled, RADIUS, 400.0))
     # Twenty scans, whose forces scatter by a factor of two about their mean.
     assert 0.75 * minimum < scan_over_surface_force(rms_height, pixels) < 1.25 * maximum

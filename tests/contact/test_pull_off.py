@@ -31,10 +31,8 @@ def test_the_pull_off_force_of_two_bodies_is_the_direct_sum_at_every_contact_and
     for index in np.ndindex(3, 3):
         gap = gap_of_bodies(bodies, index)
         for model, contact_pixel_count in enumerate((1, count)):
-            ordered = np.sort(gap, axis=None)
-            assert apex_heights[model][index] == pytest.approx(
-                -ordered[contact_pixel_count - 1], abs=1e-9
-            )
+            largest_gap = np.sort(gap, axis=None)[contact_pixel_count - 1]
+            assert apex_heights[model][index] == pytest.approx(-largest_gap, abs=1e-9)
             for k, rho in enumerate(RHOS):
                 direct_sum = direct_force(gap, contact_pixel_count, rho, 8.0)
                 assert forces[model, k][index] == pytest.approx(direct_sum, rel=1e-9)
@@ -43,20 +41,14 @@ def test_the_pull_off_force_of_two_bodies_is_the_direct_sum_at_every_contact_and
 def test_the_change_by_a_wider_window_matches_the_direct_sum():
     all_bodies = [rough_bodies(seed) for seed in (1, 3)]
     count, rho, changes = CONTACT.pixel_count(8.0), 5.6, []
-    for narrow_bodies in all_bodies:
-        wider_bodies = replace(
-            narrow_bodies, geometry=replace(narrow_bodies.geometry, window_pixels=320 + 2 * 128)
-        )
+    for bodies in all_bodies:
+        wide_geometry = replace(bodies.geometry, window_pixels=320 + 2 * 128)
+        wide_bodies = replace(bodies, geometry=wide_geometry)
         for index in np.ndindex(3, 3):
-            narrow, wide = (
-                direct_total(gap_of_bodies(bodies, index), count, rho)
-                for bodies in (narrow_bodies, wider_bodies)
-            )
+            narrow = direct_total(gap_of_bodies(bodies, index), count, rho)
+            wide = direct_total(gap_of_bodies(wide_bodies, index), count, rho)
             changes.append(abs(wide / narrow - 1))
-    forces = [
-        pull_off_dataset(narrow_bodies, CONTACT, [rho]).pull_off_force
-        for narrow_bodies in all_bodies
-    ]
+    forces = [pull_off_dataset(bodies, CONTACT, [rho]).pull_off_force for bodies in all_bodies]
     plastic_forces = xr.concat(forces, "sphere_scan").sel(contact_model="plastic", rho=rho)
     change = wider_window_change(iter(all_bodies), CONTACT, plastic_forces)
     assert change == pytest.approx(max(changes), rel=1e-6)

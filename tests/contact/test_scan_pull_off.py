@@ -27,13 +27,9 @@ def test_a_smooth_sphere_and_the_effects_of_window_and_pixels_are_beside_the_for
 
 
 def test_stacked_scans_are_nan_where_scans_are_missing_and_have_the_largest_pixel_count():
-    first_sphere_scan = {3: BODIES_BY_SPHERE_SCAN[3]}
     scans = {
-        key: pull_off_with_checks(all_bodies, CONTACT, RANGES)
-        for key, all_bodies in {
-            ("a", 1): BODIES_BY_SPHERE_SCAN,
-            ("b", 2): first_sphere_scan,
-        }.items()
+        ("a", 1): pull_off_with_checks(BODIES_BY_SPHERE_SCAN, CONTACT, RANGES),
+        ("b", 2): pull_off_with_checks({3: BODIES_BY_SPHERE_SCAN[3]}, CONTACT, RANGES),
     }
     forces = stack_pull_off_forces(scans)
     for (surface, scan), scan_forces in scans.items():

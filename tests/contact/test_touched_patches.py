@@ -13,15 +13,7 @@ from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 
 PIXEL, PIXELS = 40.0, 128
-CONTACT = Contact(
-    radius=250e3,
-    preload=10e-6,
-    hardness=25e9,
-    window=12500.0,
-    contacts_per_row=8,
-    rho=5.6,
-    work=0.05,
-)
+CONTACT = Contact(radius=250e3, preload=10e-6, hardness=25e9, window=12500.0, contacts_per_row=8)
 Y, X = np.indices((PIXELS, PIXELS)) * PIXEL
 
 

@@ -59,15 +59,10 @@ SPHERES = [None, periodic_map(periodic_noise(96, 0.5, 5), 10.0)]
 @pytest.mark.parametrize("side, end", [("short", 12.8), ("long", 1024.0)])
 def test_the_force_on_every_filtered_master_is_the_direct_sum(sphere, side, end):
     master, cutoffs = periodic_map(periodic_noise(128, 20.0, 4), 8.0), [100.0, 400.0]
-    filtered_forces = filtered_pull_off(
-        master, Filters(side, 160, cutoffs), LOADED_CONTACTS, sphere
-    )
-    assert filtered_forces["spectrum_end"].item() == pytest.approx(end)
-    filtered_forces = filtered_forces.isel(radius=0, rho=0)
-    forces_by_cutoff = [
-        filtered_forces["unfiltered_pull_off_force"],
-        *filtered_forces["pull_off_force"],
-    ]
+    filters = Filters(side, 160, cutoffs)
+    dataset = filtered_pull_off(master, filters, LOADED_CONTACTS, sphere).isel(radius=0, rho=0)
+    assert dataset["spectrum_end"].item() == pytest.approx(end)
+    forces_by_cutoff = [dataset["unfiltered_pull_off_force"], *dataset["pull_off_force"]]
     for cutoff, forces in zip([None, *cutoffs], forces_by_cutoff, strict=True):
         (surface,) = filtered_series(master, side, [cutoff], 160)
         bodies = join_bodies(surface, sphere, CONTACT)
@@ -112,9 +107,8 @@ def test_a_flat_surface_gives_the_force_of_a_smooth_sphere_at_every_radius_range
 
 def test_every_combination_equals_its_single_contact():
     forces = filtered_pull_off(noise_master(3.0), FILTERS, CONTACTS, None, *COMBINATIONS)
-    single = filtered_pull_off(
-        noise_master(3.0), FILTERS, [replace(CONTACTS[1], radius=2000.0, rho=5.0)]
-    )
+    single_contact = replace(CONTACTS[1], radius=2000.0, rho=5.0)
+    single = filtered_pull_off(noise_master(3.0), FILTERS, [single_contact])
     for name in ("pull_off_force", "unfiltered_pull_off_force"):
         np.testing.assert_allclose(
             forces[name].isel(radius=1, loading=1, rho=1),

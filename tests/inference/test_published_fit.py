@@ -85,21 +85,16 @@ def make_adhesion(plastic):
     )
 
 
-PUBLISHED = PublishedForces(
-    PUBLISHED_MEANS.iloc[::-1],
-    pair=(5.0, 0.04),
-    error_threshold=THRESHOLD,  # in any order
-)
+#: The published means in another order than the computed ones.
+PUBLISHED = PublishedForces(PUBLISHED_MEANS.iloc[::-1], (5.0, 0.04), THRESHOLD)
 
 
-def fit_published(plastic, sampling=SAMPLING):
-    return published_fit.fit_published(make_adhesion(plastic), PUBLISHED, "uncd", sampling)
+def fit_published(plastic, published=PUBLISHED):
+    return published_fit.fit_published(make_adhesion(plastic), published, "uncd", SAMPLING)
 
 
 def test_a_published_range_beyond_the_sweep_has_no_forces():
-    distant = PUBLISHED._replace(pair=(11.0, 0.04))
-    adhesion = make_adhesion(power_forces())
-    fits = published_fit.fit_published(adhesion, distant, "uncd", SAMPLING)
+    fits = fit_published(power_forces(), PUBLISHED._replace(pair=(11.0, 0.04)))
     assert fits.mean_force_at_pair.sel(pair="published").isnull().all()
     assert fits.ratio_at_pair_interval.sel(pair="published").isnull().all()
     assert fits.mean_force_at_pair.sel(pair="fitted").notnull().all()

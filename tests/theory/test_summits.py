@@ -94,12 +94,8 @@ def test_a_large_contact_area_is_the_bearing_area():
 
 
 def test_the_highest_point_matches_random_surfaces():
-    spectrum, pixels, size, radius = (
-        self_affine_spectrum(rolloff=300, shortest=40),
-        256,
-        2560.0,
-        20e3,
-    )
+    spectrum = self_affine_spectrum(rolloff=300, shortest=40)
+    pixels, size, radius = 256, 2560.0, 20e3
     spectrum_on_map = spectrum_between(spectrum, 2 * np.pi / size / 2, np.inf)
     offset = (np.arange(pixels) - pixels / 2) * 10.0
     sphere = (offset[:, None] ** 2 + offset**2) / (2 * radius)
