@@ -5,7 +5,7 @@ from refusals import assert_says, refusal
 from repository import DESCRIPTION_HEADER, ROOT
 
 from hardcontact.config.descriptions import refuse_description, refuse_paper_surface
-from hardcontact.surfaces.table1_calibration import AFM_ROWS, TAIL_ROWS
+from hardcontact.surfaces.substitute_spectra import AFM_ROWS, TAIL_ROWS
 
 SPECTRA = ROOT / "resources/spectra"
 TABLE_1 = {*AFM_ROWS, *TAIL_ROWS}

@@ -11,19 +11,19 @@ from repository import DESCRIPTION_HEADER
 from scipy import stats
 
 from hardcontact.base.arrays import generator
-from hardcontact.surfaces import spectral_models, substitute_spectra, table1_calibration
+from hardcontact.surfaces import spectral_models, substitute_spectra
 from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.metrics import TABLE1_METRICS, metrics
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_rms
+from hardcontact.surfaces.substitute_spectra import expected_scan_rms, scan_rms_weights
 from hardcontact.surfaces.synthesis import random_surface
-from hardcontact.surfaces.table1_calibration import expected_scan_rms, scan_rms_weights
 
 
 def test_no_self_affine_spectrum_has_the_scans_of_ncd():
     segment = pd.Series({"model": "self-affine", "rolloff_nm": np.nan})
     weights = scan_rms_weights(2048, PIXEL, 512)
     with pytest.raises(ValueError, match="expected a model .* missed by .* %"):
-        table1_calibration.calibrate_model(segment, table1_rows("ncd"), weights)
+        substitute_spectra.calibrate_model(segment, table1_rows("ncd"), weights)
 
 
 @pytest.fixture
@@ -41,7 +41,7 @@ def longer_waves():
 )
 def test_a_tail_beyond_a_power_law_is_refused(longer_waves, rms_values, message):
     with pytest.raises(ValueError, match=message):
-        table1_calibration.calibrate_tail(longer_waves, *rms_values)
+        substitute_spectra.calibrate_tail(longer_waves, *rms_values)
 
 
 WEIGHTS = scan_rms_weights(512, PIXEL, 128)
@@ -125,7 +125,7 @@ def test_permitted_spectra_scatter_like_the_means_of_table_1(write_description):
     table1 = table1_rows("uncd")
     rows = list(substitute_spectra.AFM_ROWS)
     mean_errors = table1.uncertainty[rows] / np.sqrt(5)
-    weights = table1_calibration.paper_scan_weights(CONSTANTS)
+    weights = substitute_spectra.paper_scan_weights(CONSTANTS)
     path = write_description("inf,6.5,self-affine,,,,,")
     deviations = []
     for k in range(8):
@@ -149,8 +149,8 @@ def test_rms_height_counts_only_waves_up_to_a_wavelength(write_description):
 
 
 def test_expected_rms_values_agree_with_scans():
-    weights = table1_calibration.scan_rms_weights(1024, PIXEL, 256)
-    rms_values = table1_calibration.expected_scan_rms(uncd_density, weights)
+    weights = substitute_spectra.scan_rms_weights(1024, PIXEL, 256)
+    rms_values = substitute_spectra.expected_scan_rms(uncd_density, weights)
     squares = []
     for k in range(6):
         surface = random_surface(generator(4, k), 1024, PIXEL, uncd_density)

@@ -1,10 +1,9 @@
 """Substitute scans that are made together: levelled, and mirrored."""
 
 from hardcontact.records.job import run_job
-from hardcontact.surfaces.conditioning import condition_batch, conditioned_scan
 from hardcontact.surfaces.features import make_featured_scans
 from hardcontact.surfaces.levelling import LEVELLED_TITLE, MIRRORED_TITLE, level_and_mirror
-from hardcontact.surfaces.substitutes import read_substitute
+from hardcontact.surfaces.substitutes import condition_batch, conditioned_scan, read_substitute
 
 with run_job(snakemake) as job:
     params = job.parameters

@@ -10,8 +10,12 @@ from pydantic import Field, model_validator
 from hardcontact.config.faults import quote_key
 from hardcontact.config.keys import Keys
 from hardcontact.config.user_files import BLANK_AS_NAN, read_rows
-from hardcontact.surfaces.substitute_spectra import DATA_EVIDENCE, needs_calibration, read_segments
-from hardcontact.surfaces.table1_calibration import CALIBRATION_ROWS
+from hardcontact.surfaces.substitute_spectra import (
+    CALIBRATION_ROWS,
+    DATA_EVIDENCE,
+    needs_calibration,
+    read_segments,
+)
 
 NotNegative = Annotated[float, Field(strict=False, ge=0, allow_inf_nan=False), BLANK_AS_NAN]
 

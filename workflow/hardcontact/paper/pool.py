@@ -18,11 +18,15 @@ from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.inference.fit import spline_weights
-from hardcontact.surfaces.conditioning import scale_rms_heights
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.metrics import TABLE1_METRICS, metrics_dataset
-from hardcontact.surfaces.substitutes import Substitute, Targets, required_targets
+from hardcontact.surfaces.substitutes import (
+    Substitute,
+    Targets,
+    required_targets,
+    scale_rms_heights,
+)
 from hardcontact.surfaces.synthesis import sample_scan
 
 #: Smallest rms height of a pool relative to the mean: sets with smoother scans are sampled again.

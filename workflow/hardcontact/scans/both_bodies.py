@@ -40,11 +40,7 @@ def combine_maps(rng: np.random.Generator, substrate: HeightMap, sphere: HeightM
 
 
 def combine_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
-    """Return the sum of two joined spectra, with the measurements of both bodies.
-
-    Measurements stay reliable only where their body has most of the power. Raises ValueError if
-    none stays reliable.
-    """
+    """Return the sum of joined spectra; measurements stay reliable where their body dominates."""
     substrate_density = spectrum_of_dataset(substrate)(BIN_CENTRES)
     sphere_density = spectrum_of_dataset(sphere)(BIN_CENTRES)
     total = substrate_density + sphere_density

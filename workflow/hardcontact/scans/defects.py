@@ -149,10 +149,7 @@ def _find_spikes(heights: Floats) -> Defect:
 
 
 def _isolation(heights: Floats) -> Floats:
-    """Return the least difference of each height from its neighbours; in a map the second least.
-
-    On a map one neighbour of a spike may be a spike, too; pixels of a particle have more.
-    """
+    """Return the least difference of each height from its neighbours; in a map the second least."""
     padded = np.pad(heights, 1, constant_values=np.inf)
     nearest = second_nearest = np.full(heights.shape, np.inf)
     for start in product(range(3), repeat=heights.ndim):
@@ -162,6 +159,7 @@ def _isolation(heights: Floats) -> Floats:
         distance = np.abs(padded[tuple(window)] - heights)
         second_nearest = np.minimum(second_nearest, np.maximum(nearest, distance))
         nearest = np.minimum(nearest, distance)
+    # One neighbour of a spike in a map may be a spike, too; a particle has more pixels.
     return second_nearest if heights.ndim == 2 else nearest
 
 
@@ -241,10 +239,7 @@ def _find_line_patterns(heights: Floats, power: Floats, pixel_size: float) -> di
 
 
 def _find_lay(power: Floats) -> tuple[Defect, float]:
-    """Find a lay; also return the ratio of squared slopes along and across the steepest direction.
-
-    The ratio of a lay compares variances of profiles along and across most wavevectors.
-    """
+    """Find a lay, and the ratio of squared slopes along and across the steepest direction."""
     pixels = len(power)
     waves = np.fft.fftfreq(pixels, 1 / pixels)
     wavevector = waves + 1j * waves[:, None]  # x + iy, in waves across the map

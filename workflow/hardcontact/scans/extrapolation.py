@@ -102,10 +102,7 @@ def fit_hurst_exponent(wavevector: Floats, density: Floats, variance: Floats) ->
 def _truncated_moments(
     exponents: Floats, errors: Floats, probability: Floats
 ) -> tuple[Floats, Floats]:
-    """Return mean and variance of a mixture of normal exponents (case,), truncated to 0 to 1.
-
-    If 0 to 1 is improbable, the whole mixture counts, and its mean is clipped.
-    """
+    """Return mean and variance of a mixture of normal exponents (case,), truncated to 0 to 1."""
     low, high = -exponents / errors, (1 - exponents) / errors
     truncated_share = scipy.special.ndtr(high) - scipy.special.ndtr(low)
     total = probability @ truncated_share
@@ -153,11 +150,7 @@ def is_tail_known(tail: Tail) -> bool:
 def extrapolate_short_waves(
     wavevector: Floats, density: Floats, hurst: HurstFit, deviation: float = 0.0
 ) -> tuple[Floats, Tail]:
-    """Return C_iso (nm⁴) on WAVEVECTORS from at least three measured points, and its tail.
-
-    C_iso is constant above the longest wavelength. The Hurst exponent gets a `deviation`, and stays
-    within 0 and 1.
-    """
+    """Return C_iso (nm⁴) on WAVEVECTORS from at least three measured points, and its tail."""
     # The highest measured wavevector may exceed the highest of WAVEVECTORS by rounding.
     table = Spectrum(wavevector, density)(np.minimum(WAVEVECTORS, wavevector[-1]))
     measured_density = np.where(wavevector[-1] * (1 + 1e-9) >= WAVEVECTORS, table, 0.0)
@@ -197,10 +190,7 @@ def _find_tail_end(density: Floats) -> tuple[int, TailEnd]:
 
 
 def extrapolate_long_waves(density: Floats, longest: float, slope: float, rolloff: float) -> Floats:
-    """Return C_iso on WAVEVECTORS that rises from the longest wavelength measured to the roll-off.
-
-    The `slope` d ln C/d ln q is clipped to 0 and to the STEEPEST_SELF_AFFINE_SLOPE.
-    """
+    """Return C_iso that rises from the longest wavelength with d ln C/d ln q to the roll-off."""
     relative = np.maximum(2 * np.pi / WAVEVECTORS / longest, 1.0)
     exponent = -np.clip(slope, STEEPEST_SELF_AFFINE_SLOPE, 0.0)
     return np.asarray(density * np.minimum(relative, max(rolloff / longest, 1.0)) ** exponent)
@@ -245,11 +235,7 @@ class RolloffEvidence:
     def rolloff_quantile(
         self, density: Floats, longest: float, slope: float, probability: float
     ) -> float:
-        """Return a quantile of the roll-off wavelength, for its probability.
-
-        The prior is uniform in the logarithm of the roll-off. If the `slope` d ln C/d ln q at the
-        longest wavelength measured is not negative, the roll-off is that wavelength.
-        """
+        """Return a quantile of the roll-off wavelength; the prior is uniform in its logarithm."""
         if slope >= 0:
             return longest
         rolloffs = np.geomspace(longest, MAX_ROLLOFF_OVER_SIZE * self.size, ROLLOFF_COUNT)
@@ -260,13 +246,11 @@ class RolloffEvidence:
         return float(np.exp(np.interp(probability, cumulative, np.log(rolloffs))))
 
     def _log_likelihood(self, density: Floats) -> float:
-        """Return the logarithm of the likelihood of the measured variance, up to a constant.
-
-        A sum of the powers of N independent modes is a gamma variable of relative variance 1/N.
-        """
+        """Return the logarithm of the likelihood of the measured variance, up to a constant."""
         power = density * WAVEVECTORS**2 * self._share_after_levelling / (2 * np.pi)
         expected_variance = np.trapezoid(power, LOG_WAVEVECTORS) + self._noise_variance(density)
         variance_of_variance = np.trapezoid(power**2 / self._mode_count, LOG_WAVEVECTORS)
+        # The powers of N modes add up to a gamma variable of relative variance 1/N.
         shape = expected_variance**2 / variance_of_variance * self.scan_count
         scale = expected_variance / shape
         ratio = self.variance / scale

@@ -103,13 +103,11 @@ def _aspect_cautions(topography: Any) -> list[str]:
 
 
 def _keep_marked_pixels(topography: Any) -> tuple[Any, list[str]]:
-    """Return a map with the heights under its mask, and a caution on them.
-
-    If these heights are undefined or equal, the mask marks gaps, and the map stays as it is.
-    """
+    """Return a map with the heights under its mask, and a caution on them."""
     unscaled_heights = topography.parent_topography.heights()
     is_marked = np.ma.getmaskarray(unscaled_heights)
     heights = np.ma.getdata(unscaled_heights) * topography.height_scale_factor
+    # Where heights under a mask are undefined or equal, the mask marks gaps.
     if len(np.unique(heights[is_marked])) < 2:
         return topography, []
     caution = (
@@ -204,10 +202,7 @@ def _accepted_arguments(channel: Any, metadata: dict[str, Any]) -> dict[str, Any
 
 
 def _find_height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any, list[str]]:
-    """Return the channel of heights that the user, the container or the reader chooses, and notes.
-
-    If the container or the reader chooses a channel without heights, return the first one with.
-    """
+    """Return the channel of heights that user, container or reader choose, and notes."""
     channels = reader.channels
     container_index = entry.get("data_source")
     if container_index is not None and container_index not in range(len(channels)):
@@ -261,10 +256,7 @@ def _unit_in_words(channel: Any) -> str:
 def find_tip_radius(
     file_metadata: dict[str, Any], container_metadata: dict[str, Any]
 ) -> tuple[float | None, list[str]]:
-    """Return the radius of the tip (nm), and a note on its source; None if it is not stated.
-
-    Of several radii in words the largest counts, because a worn tip limits the scan.
-    """
+    """Return the radius of the tip (nm), and a note on its source; None if it is not stated."""
     for source, metadata in (("file", file_metadata), ("container", container_metadata)):
         radius = _radius_in_numbers(metadata)
         if radius is not None:
@@ -272,6 +264,7 @@ def find_tip_radius(
     matches = TIP_RADIUS_IN_WORDS.findall(str(container_metadata.get("description") or ""))
     if not matches:
         return None, []
+    # The largest radius counts, because a worn tip limits the scan.
     radius = max(float(value) * unit_in_nm(unit) for value, unit in matches)
     return radius, [f"largest tip radius in the container's description, {radius:.4g} nm"]
 

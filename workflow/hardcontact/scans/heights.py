@@ -127,13 +127,11 @@ def map_fields(topography: Any, factor: float, undefined_pixels: str) -> dict[st
 
 
 def _largest_square(heights: np.ma.MaskedArray) -> np.ma.MaskedArray:
-    """Return the central square of a map, or the largest one within a round or rotated scan.
-
-    The corners of a round or rotated scan are undefined. Filled, they would be too smooth.
-    """
+    """Return the central square of a map, or the largest one within a round or rotated scan."""
     width = min(heights.shape)
     first_column, first_row = ((count - width) // 2 for count in heights.shape)
     central = heights[first_column : first_column + width, first_row : first_row + width]
+    # The corners of a round or rotated scan are undefined. Filled, they would be too smooth.
     regions, _ = scipy.ndimage.label(heights.mask)
     corners = regions[[0, 0, -1, -1], [0, -1, 0, -1]]
     if not corners.all() or central.mask.mean() > MAX_UNDEFINED_SHARE:

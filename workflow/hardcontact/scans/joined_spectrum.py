@@ -229,10 +229,7 @@ def sample_spectra(
     scans: Sequence[HeightMap],
     tip_radii: Sequence[float | None],
 ) -> Iterator[tuple[Spectrum, Floats]]:
-    """Yield, for each random generator, a spectrum within the uncertainty of levelled scans.
-
-    Also yields factors (scan,) from measured to true heights.
-    """
+    """Yield spectra within the uncertainty of scans, and factors (scan,) to their true heights."""
     measured = _measured_spectra(scans, tip_radii)
     for rng in rngs:
         bands = [
@@ -282,10 +279,7 @@ def _extrapolate_curve(
     rolloff_probability: float = 0.5,
     hurst_deviation: float = 0.0,
 ) -> tuple[Floats, Tail, float]:
-    """Return C_iso (nm⁴) on WAVEVECTORS, extrapolated from a curve, its tail and roll-off (nm).
-
-    The roll-off is the quantile of its distribution at `rolloff_probability`.
-    """
+    """Return C_iso (nm⁴) on WAVEVECTORS, extrapolated from a curve, its tail and roll-off (nm)."""
     density, tail = extrapolate_short_waves(curve.wavevector, curve.density, hurst, hurst_deviation)
     slopes, _ = local_slopes(*curve)
     slope = float(slopes[0])

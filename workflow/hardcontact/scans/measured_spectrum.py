@@ -57,10 +57,8 @@ def axis_ratio(scan: HeightMap) -> Floats:
 
 
 def independent_modes(kind: str, size: float) -> Floats:
-    """Return the number of independent modes in each bin of the PSD of a map or line scan.
-
-    One of each pair ±q counts. A bin has at least the share of a single wave.
-    """
+    """Return the number of independent modes in each bin of the PSD of a map or line scan."""
+    # One of each pair ±q counts. A bin has at least the share of a single wave.
     if kind == "map":
         count = np.pi / 2 * np.diff(BIN_EDGES**2) * (INDEPENDENT_SHARE * size / (2 * np.pi)) ** 2
     else:
@@ -69,10 +67,8 @@ def independent_modes(kind: str, size: float) -> Floats:
 
 
 def variance_of_log(modes: Floats) -> Floats:
-    """Return the variance of ln C of a mean over independent modes: the trigamma of their number.
-
-    Less than one mode has the variance of one mode over their number.
-    """
+    """Return the variance of ln C of a mean over modes: the trigamma of their number."""
+    # Less than one mode has the variance of one mode over their number.
     trigamma = scipy.special.polygamma(1, np.maximum(modes, 1.0))
     return np.asarray(trigamma / np.minimum(modes, 1.0))
 

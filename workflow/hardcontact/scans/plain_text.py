@@ -147,10 +147,7 @@ def _grid_points(points: Floats) -> tuple[list[str], list[str]]:
 
 
 def _heights_on_grid(heights: Floats, indices: NDArray[np.intp], offsets: Floats) -> Floats:
-    """Return heights (x, y) on a grid whose cubic spline passes through points beside it.
-
-    The points have indices and offsets (n, 2) in spacings.
-    """
+    """Return heights (x, y) on a grid whose cubic spline passes through points (n,) beside it."""
     is_missing = np.isnan(heights)
     nearest = ndimage.distance_transform_edt(
         is_missing, return_distances=False, return_indices=True

@@ -177,11 +177,9 @@ def find_contradictions(
 
 
 def _mean_difference(difference: Floats, variance: Floats) -> tuple[float, float]:
-    """Return the weighted mean difference of ln C over bins, and its standard error.
-
-    A wrong calibration is the same factor at all wavelengths: no number of bins averages it out.
-    """
+    """Return the weighted mean difference of ln C over bins, and its standard error."""
     weight = 1 / (variance + 2 * CALIBRATION_SCATTER**2)
     weight /= weight.sum()
+    # A wrong calibration is the same in all bins, so that no number of bins averages it out.
     error = np.sqrt(weight**2 @ variance + 2 * CALIBRATION_SCATTER**2)
     return float(weight @ difference), float(error)

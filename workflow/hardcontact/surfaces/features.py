@@ -62,10 +62,7 @@ class ScanStatistics(NamedTuple):
 
 
 class Features(NamedTuple):
-    """The features of a surface and the amplitude of the base under them.
-
-    Without features, density, height and counts are 0 and the width is NaN.
-    """
+    """The features of a surface and the amplitude of the base under them."""
 
     number_density: float  #: Per µm².
     height: float  #: In nm, negative for pits.
@@ -85,10 +82,8 @@ def published_statistics(
 
 
 def feature_squares(height: ArrayLike, width: ArrayLike, size: float) -> Floats:
-    """Return the increase of the squared rms values (..., 3) of a levelled scan by one feature.
-
-    By Campbell's theorem these are the mean squares of its shape, gradient and half-Laplacian.
-    """
+    """Return the increase of the squared rms values (..., 3) of a levelled scan by one feature."""
+    # Campbell's theorem: the mean squares of its shape, gradient and half-Laplacian.
     height, width = np.asarray(height), np.asarray(width)
     # The squared shape, exp(-x²/w²) along an axis, lies w/sqrt(pi) from its centre on average.
     # As centres are uniform in the scan, the mean share w/(sqrt(pi) L) lies outside; the squares of
@@ -130,10 +125,7 @@ def standardized_differences(rms_values: Floats, statistics: ScanStatistics) -> 
 def sample_permitted_features(
     rng: np.random.Generator, statistics: ScanStatistics, scan_count: int, grid: ScanGrid, sign: int
 ) -> Features:
-    """Sample features from the prior until none of their `standardized_differences` exceeds one.
-
-    Raises ValueError if no sample is permitted.
-    """
+    """Sample features until none of their `standardized_differences` exceeds one."""
     min_width = max(WIDTH_BOUNDS[0], MIN_WIDTH_PIXELS * grid.pixel_size)
     bounds = (DENSITY_BOUNDS, HEIGHT_BOUNDS, (min_width, WIDTH_BOUNDS[1]), BASE_FACTOR_BOUNDS)
     low, high = np.log(bounds).T
@@ -219,10 +211,7 @@ def whole_surface(
     pixels: int,
     pixel_size: float,
 ) -> HeightMap:
-    """Return a whole surface: with features, or Gaussian with a spectrum that Table 1 permits.
-
-    `description` is the path of the description of its spectrum.
-    """
+    """Return a whole surface: with features, or Gaussian with a spectrum that Table 1 permits."""
     rng = substitute.generator(number, "whole surface")
     if not has_features:
         spectrum_rng = substitute.generator(number, "permitted spectrum")

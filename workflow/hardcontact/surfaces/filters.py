@@ -20,10 +20,7 @@ BLOCK_ROWS = 64
 
 
 def lowpass(surface: HeightMap, cutoff: float) -> HeightMap:
-    """Return a surface without waves shorter than a cutoff (nm), on the coarsest grid, in float64.
-
-    Raises ValueError for a cutoff of two pixels or less.
-    """
+    """Return a surface without waves below a cutoff (nm), on the coarsest grid, in float64."""
     order_limit = _order_limit(surface, cutoff)
     highest_order = int(order_limit)
     pixels = 2 * highest_order + 2

@@ -145,10 +145,7 @@ def to_surface_topography(scan: HeightMap) -> "Topography | UniformLineScan":
 
 
 def mirror_scan(scan: HeightMap) -> HeightMap:
-    """Return a periodic map (2y, 2x) of a scan and its mirror images.
-
-    Source: the paper, section Numerical Analysis of Results.
-    """
+    """Return a scan and its mirror images as a periodic map (2y, 2x), as in the paper."""
     upper_half = np.concatenate([scan.heights, scan.heights[:, ::-1]], axis=1)
     heights = np.concatenate([upper_half, upper_half[::-1]], axis=0)
     return replace(scan, heights=heights, periodic=True)

@@ -39,10 +39,8 @@ MAX_FILLINGS = 20
 
 
 def level_plane(scan: HeightMap) -> HeightMap:
-    """Return a scan minus its least-squares plane or line.
-
-    It equals ``detrend`` of SurfaceTopography, whose import would be slow.
-    """
+    """Return a scan minus its least-squares plane or line."""
+    # This equals `detrend` of SurfaceTopography, whose import would be slow.
     heights = np.asarray(scan.heights, dtype=float).T
     axes = np.meshgrid(*(np.arange(count) / count for count in heights.shape), indexing="ij")
     design = np.column_stack([np.ones(heights.size), *(axis.ravel() for axis in axes)])
@@ -54,10 +52,8 @@ def level_plane(scan: HeightMap) -> HeightMap:
 
 
 def squared_projections(phase: Floats) -> tuple[Floats, Floats]:
-    """Return the shares of the variance of waves that the mean and the slope of a line contain.
-
-    These are squared projections of exp(2 i `phase` u), |u| <= 1/2, on 1 and sqrt(12) u.
-    """
+    """Return the shares of the variance of waves that the mean and the slope of a line contain."""
+    # Squared projections of exp(2 i `phase` u), |u| <= 1/2, on 1 and sqrt(12) u.
     return scipy.special.spherical_jn(0, phase) ** 2, 3 * scipy.special.spherical_jn(1, phase) ** 2
 
 
@@ -92,10 +88,7 @@ LEVELLING_METHODS: dict[str, Callable[[HeightMap], HeightMap]] = {
 def remove_form(
     scan: HeightMap, sphere_radius: float | None = None, levelling: str = "plane"
 ) -> HeightMap:
-    """Return a levelled scan; first the sphere that a map shows (radius in nm) is subtracted.
-
-    A line scan loses only its least-squares line, whatever the other arguments.
-    """
+    """Return a levelled scan; first the sphere that a map shows (radius in nm) is subtracted."""
     if levelling not in LEVELLING_METHODS:
         raise ValueError(f"levelling: expected {', '.join(LEVELLING_METHODS)}, found {levelling}")
     if scan.kind == "line scan":
@@ -160,12 +153,10 @@ def fill_streaks(heights: Floats) -> tuple[Floats, Mask]:
 
 
 def _rise_and_fall(heights: Floats, width: int) -> tuple[Floats, Floats]:
-    """Return how far pixels rise above, and fall below, both lines `width` away, in typical steps.
-
-    A line at the border has one neighbour if the width is 1, and NaN otherwise.
-    """
+    """Return how far pixels rise above and fall below both lines `width` away, in typical steps."""
     padded = np.pad(heights, ((width, width), (0, 0)), constant_values=np.nan)
     line_before, line_after = padded[: -2 * width], padded[2 * width :]
+    # A streak of one line at the border has one neighbour; wider ones there have NaN.
     lower, upper = (np.fmin, np.fmax) if width == 1 else (np.minimum, np.maximum)
     typical_step = np.median(np.abs(heights[width:] - heights[:-width])) / MEDIAN_DEVIATION
     scale = max(typical_step, np.finfo(np.float32).tiny)

@@ -1,31 +1,34 @@
 """Spectra of substitutes from descriptions: segments of wavelengths, each with its model.
 
-Blank parameters are calibrated on the paper's Table 1 (`table1_calibration`).
+Blank parameters are calibrated on the paper's Table 1. A model of the waves that scans show is
+fitted to rms height, slope and curvature of the scans. A power law for shorter waves is fitted to
+slope and curvature over all scales.
 """
 
+from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
+import scipy
 import xarray as xr
 
 from hardcontact.base.arrays import Floats
+from hardcontact.surfaces.levelling import squared_projections
 from hardcontact.surfaces.spectral_models import (
     SPECTRAL_MODELS,
     isotropic_through_points,
     power_law_extrapolation,
+    power_law_tail,
     shares_of_longer_waves,
 )
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_rms, spectrum_dataset
-from hardcontact.surfaces.table1_calibration import (
-    AFM_ROWS,
-    CALIBRATION_ROWS,
-    TAIL_ROWS,
-    Weights,
-    calibrate_model,
-    calibrate_tail,
-    expected_scan_rms,
-    paper_scan_weights,
+from hardcontact.surfaces.spectrum import (
+    WAVEVECTORS,
+    Spectrum,
+    SpectrumFunction,
+    all_scales_rms,
+    spectrum_dataset,
 )
 
 #: Columns of descriptions that hold numbers.
@@ -38,6 +41,152 @@ DATA_EVIDENCE = ("published", "measured")
 ROLLOFF_FACTOR = 1.5
 #: Largest number of samples until one can be calibrated: every second one of NCD and MCD can.
 MAX_SAMPLES = 100
+#: Rows of Table 1 to which the spectrum of scans is fitted.
+AFM_ROWS = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
+#: Rows of Table 1 to which the tail at shorter wavelengths is fitted.
+TAIL_ROWS = ("all_rms_slope", "all_rms_curvature")
+#: Rows of Table 1 to which a model is calibrated if its Hurst exponent is blank.
+CALIBRATION_ROWS = {"self-affine": AFM_ROWS, "varying Hurst": AFM_ROWS, "power law": TAIL_ROWS}
+#: Wavevectors (bins,) in rad/nm, and the weights (3, bins) of C_iso at them.
+Weights = tuple[Floats, Floats]
+#: Bins of wavevectors in which weights are added up: they are 0.2 % wide.
+BIN_COUNT = 4000
+#: Rows of the grid of wavevectors that are added at a time.
+ROWS_AT_A_TIME = 512
+#: Relative error at which a number of Table 1 counts as met: far below its digits.
+MET_ERROR = 1e-9
+#: Calibrated parameters by model, and parameters whose logarithms are searched.
+SEARCHED_PARAMETERS = {
+    "self-affine": ("plateau_nm4", "rolloff_nm", "hurst"),
+    "varying Hurst": ("plateau_nm4", "hurst", "hurst_change"),
+}
+LOGARITHMIC_PARAMETERS = ("plateau_nm4", "rolloff_nm")
+#: First guesses of parameters but the plateau, as they are searched: a typical polished surface.
+FIRST_GUESSES = {"rolloff_nm": np.log(1000.0), "hurst": 0.9, "hurst_change": 0.0}
+#: A fit ends when rounding alone changes it, so that its rows are met to MET_ERROR.
+FIT_TOLERANCES: dict[str, Any] = {"xtol": 1e-15, "ftol": 1e-15, "gtol": 1e-15}
+#: Bounds of the Hurst exponent of a tail: wide, since published numbers may fit none in 0 to 1.
+TAIL_HURST_BOUNDS = (-6.0, 5.0)
+
+
+@cache
+def scan_rms_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weights:
+    """Return wavevectors (bins,) and weights (3, bins) for the expected rms values of a scan.
+
+    Squared rms values are weights @ C_iso. The scan of `window_pixels` per row is cut out of a
+    periodic surface of `pixels` per row, and levelled.
+    """
+    q_y = 2 * np.pi * np.abs(np.fft.fftfreq(pixels, pixel_size))
+    q_x = q_y[: pixels // 2 + 1]
+    # An entry of the transform of a real map stands for both waves of a pair of opposite q_x.
+    wave_count = np.where((q_x == 0) | (q_x == q_x.max()), 1.0, 2.0)
+    highest = np.hypot(q_y.max(), q_x.max())
+    # Margins keep the lowest and the highest wavevector within the bins.
+    edges = np.geomspace(q_x[1] * 0.999, highest * 1.001, BIN_COUNT + 1)
+    mean, slope = squared_projections(q_y * window_pixels * pixel_size / 2)
+    # The squared difference operator along one axis.
+    difference = (2 * np.sin(q_y * pixel_size / 2) / pixel_size) ** 2
+    mean_x, slope_x, difference_x = (values[: len(q_x)] for values in (mean, slope, difference))
+    weights = np.zeros((3, BIN_COUNT))
+    for start in range(0, pixels, ROWS_AT_A_TIME):
+        rows = slice(start, start + ROWS_AT_A_TIME)
+        mean_y, slope_y = mean[rows, None], slope[rows, None]
+        removed = mean_y * mean_x + slope_y * mean_x + mean_y * slope_x
+        laplacian = difference[rows, None] + difference_x
+        wavenumber = np.hypot(q_y[rows, None], q_x)
+        if start == 0:
+            wavenumber[0, 0] = q_x[1]  # The mean has no weight, but needs a bin.
+        index = np.searchsorted(edges, wavenumber.ravel()) - 1
+        for k, factor in enumerate((1 - removed, laplacian, laplacian**2 / 4)):
+            weights[k] += np.bincount(index, (wave_count * factor).ravel(), BIN_COUNT)
+    return np.sqrt(edges[1:] * edges[:-1]), weights / (pixels * pixel_size) ** 2
+
+
+def expected_scan_rms(spectrum: SpectrumFunction, weights: Weights) -> Floats:
+    """Return the expected rms height (nm), gradient and half-Laplacian (1/nm) of a scan: (3,)."""
+    wavevector, factors = weights
+    return np.sqrt(factors @ spectrum(wavevector))
+
+
+def paper_scan_weights(constants: pd.DataFrame) -> Weights:
+    """Return the `scan_rms_weights` of a scan with the paper's pixels and size."""
+    pixels = int(constants["value"]["scan_pixels"])
+    return scan_rms_weights(4 * pixels, constants["value"]["scan_size"] / pixels, pixels)
+
+
+def calibrate_model(segment: pd.Series, table1: pd.DataFrame, weights: Weights) -> dict[str, float]:
+    """Return parameters of a segment that make scans meet AFM_ROWS; ValueError if none do."""
+    model, names = SPECTRAL_MODELS[segment.model]
+    searched = SEARCHED_PARAMETERS[segment.model]
+    published_rms = table1.loc[list(AFM_ROWS), "value"].to_numpy(float)
+
+    def parameters(solution: Floats) -> dict[str, float]:
+        return {
+            name: np.exp(value) if name in LOGARITHMIC_PARAMETERS else value
+            for name, value in zip(searched, solution, strict=True)
+        }
+
+    def mismatch(solution: Floats) -> Floats:
+        segment_parameters = dict(segment) | parameters(solution)
+        density = model(WAVEVECTORS, *(segment_parameters[name] for name in names))
+        scan_rms = expected_scan_rms(Spectrum(WAVEVECTORS, density), weights)
+        return np.asarray(np.log(scan_rms / published_rms))
+
+    # The plateau follows from the rms height and a roll-off of 1 µm; x_scale has typical steps.
+    log_plateau = 2 * np.log(published_rms[0] * 1000)
+    first_guess = [log_plateau, *(FIRST_GUESSES[name] for name in searched[1:])]
+    fit = scipy.optimize.least_squares(
+        mismatch, first_guess, x_scale=(1, 0.3, 0.3), **FIT_TOLERANCES
+    )
+    if np.abs(fit.fun).max() > MET_ERROR:
+        worst = int(np.abs(fit.fun).argmax())
+        raise ValueError(
+            f"expected a model that meets {', '.join(AFM_ROWS)} of Table 1, found "
+            f"{AFM_ROWS[worst]} = {published_rms[worst]:.3g} missed by {100 * fit.fun[worst]:+.1f} "
+            "%: choose another model, or state its Hurst exponent"
+        )
+    return {name: float(value) for name, value in parameters(fit.x).items()}
+
+
+def calibrate_tail(
+    longer_waves: Floats, gradient: float, half_laplacian: float
+) -> dict[str, float]:
+    """Return Hurst exponent and shortest wavelength (nm) of a power law below a spectrum.
+
+    It adds the rms gradient and half-Laplacian (1/nm) that C_iso `longer_waves` lacks.
+    """
+    _, *longer_rms = all_scales_rms(Spectrum(WAVEVECTORS, longer_waves))
+    missing_squares = [gradient**2 - longer_rms[0] ** 2, half_laplacian**2 - longer_rms[1] ** 2]
+    ends = 2 * np.pi / WAVEVECTORS[longer_waves.nonzero()[0][-1] + 1 :]
+    refusal = ValueError(
+        f"expected a slope and a curvature over all scales that a power law below {ends[0]:.3g} nm "
+        f"can add, found {gradient} and {half_laplacian}: state its Hurst exponent"
+    )
+    if min(missing_squares) <= 0:
+        raise refusal
+
+    def excess(hurst: float, shortest: float, index: int) -> float:
+        tail = power_law_tail(longer_waves, hurst, shortest)
+        added = all_scales_rms(Spectrum(WAVEVECTORS, tail))[1 + index]
+        return float(np.log(added**2 / missing_squares[index]))
+
+    def find_hurst(shortest: float) -> float:
+        root = scipy.optimize.brentq(excess, *TAIL_HURST_BOUNDS, args=(shortest, 0), xtol=1e-14)
+        return float(root)
+
+    def laplacian_excess(shortest: float) -> float:
+        return excess(find_hurst(shortest), shortest, 1)
+
+    # If tails add the same gradient, the tail that ends later adds more to the half-Laplacian.
+    lowest, highest = TAIL_HURST_BOUNDS
+    possible_ends = [end for end in ends if excess(lowest, end, 0) > 0 > excess(highest, end, 0)]
+    if not possible_ends:
+        raise refusal
+    longest_end, shortest_end = possible_ends[0], possible_ends[-1]
+    if not laplacian_excess(longest_end) < 0 < laplacian_excess(shortest_end):
+        raise refusal
+    shortest = float(scipy.optimize.brentq(laplacian_excess, longest_end, shortest_end, xtol=1e-14))
+    return {"hurst": find_hurst(shortest), "shortest_nm": shortest}
 
 
 def read_segments(path: str | Path) -> pd.DataFrame:

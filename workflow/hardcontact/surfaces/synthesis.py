@@ -36,15 +36,13 @@ def white_noise_transform(rng: np.random.Generator, pixels: int) -> Transform:
 
 
 def _set_psd(transform: Transform, pixel_size: float, spectrum: SpectrumFunction) -> None:
-    """Scale the transform of white noise, in place, so that its surface has a spectrum.
-
-    White noise of unit variance has C_iso = pixel area. Wavevectors of opposite y have equal C_iso.
-    """
+    """Scale the transform of white noise, in place, so that its surface has a spectrum."""
     pixels = len(transform)
     row_count = pixels // 2 + 1  # Other rows have the opposite y.
     q = 2 * np.pi * np.fft.rfftfreq(pixels, pixel_size)
     for start in range(0, row_count, BLOCK_ROWS):
         rows = np.arange(start, min(start + BLOCK_ROWS, row_count))
+        # White noise of unit variance has C_iso = pixel area.
         amplitudes = np.sqrt(spectrum(np.hypot(q[rows, None], q))) / pixel_size
         transform[rows] *= amplitudes
         is_paired = (rows > 0) & (2 * rows < pixels)
@@ -117,10 +115,7 @@ def long_edge_master(
     transition: float,
     spectrum: SpectrumFunction,
 ) -> HeightMap:
-    """Return a mirrored scan whose wavelengths above the transition (nm) are artificial.
-
-    The scan is repeated `tiles` times along each axis. Source: as for `short_edge_master`.
-    """
+    """Return a repeated scan whose wavelengths above the transition (nm) are artificial."""
     repeated = replace(mirrored, heights=np.tile(mirrored.heights, (tiles, tiles)))
     long_waves = lowpass(repeated, transition)
     # The margin keeps waves exactly at the transition artificial in spite of rounding.

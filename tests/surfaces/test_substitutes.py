@@ -8,13 +8,13 @@ from measurements import PIXEL, UNCD, uncd_density
 from refusals import assert_says, refusal
 from repository import PAPER
 
-from hardcontact.surfaces import conditioning
+from hardcontact.surfaces import substitutes
 from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.metrics import TABLE1_METRICS, metrics
 from hardcontact.surfaces.spectrum import spectrum_dataset
+from hardcontact.surfaces.substitute_spectra import AFM_ROWS, expected_scan_rms, scan_rms_weights
 from hardcontact.surfaces.substitutes import Substitute, Targets
 from hardcontact.surfaces.synthesis import ScanGrid
-from hardcontact.surfaces.table1_calibration import AFM_ROWS, expected_scan_rms, scan_rms_weights
 
 GRID = ScanGrid(pixels=64, size=64 * PIXEL, surface_pixels=256)
 #: Rows of Table 1 of a surface, and the geometry of its scans, as in GRID.
@@ -55,7 +55,7 @@ def spectrum():
 
 def synthesized_metrics(source, batch):
     """Metrics of every synthesized scan of a batch: a column each metric."""
-    scans = (conditioning.conditioned_scan(source, k, batch) for k in batch.scan.values)
+    scans = (substitutes.conditioned_scan(source, k, batch) for k in batch.scan.values)
     return pd.DataFrame([metrics(level_plane(scan)) for scan in scans])
 
 
@@ -63,7 +63,7 @@ def synthesized_metrics(source, batch):
 def test_conditioned_scans_have_the_given_statistics(spectrum, numbers):
     rms_values = spectrum.attrs["expected_scan_rms"] * np.array([1.02, 0.97, 1.01])
     targets = make_targets(rms_values, 0.2 * rms_values[0])
-    batch = conditioning.condition_batch(substitute(spectrum), targets, numbers)
+    batch = substitutes.condition_batch(substitute(spectrum), targets, numbers)
     assert_met(targets, synthesized_metrics(substitute(spectrum), batch))
 
 
@@ -88,7 +88,7 @@ def test_scans_of_the_default_study_keep_table_1(surface, count, grid, rows):
     published_means = table1.value[list(rows)]
     np.testing.assert_allclose(list(targets.means.values())[: len(rows)], published_means)
     assert targets.rms_height_std == pytest.approx(table1.uncertainty["afm_rms_height"])
-    batch = conditioning.condition_batch(source, targets, range(1, count + 1))
+    batch = substitutes.condition_batch(source, targets, range(1, count + 1))
     assert_met(targets, synthesized_metrics(source, batch))
 
 
@@ -108,20 +108,20 @@ def test_coarser_pixels_keep_the_rms_height(spectrum):
     rms_values = expected_scan_rms(uncd_density, scan_rms_weights(128, 2 * PIXEL, 32))
     np.testing.assert_allclose(list(targets.means.values()), [20.0, *rms_values[1:]], rtol=1e-3)
     assert targets.met_rows == ("afm_rms_height",)
-    batch = conditioning.condition_batch(source, targets, [1, 2])
+    batch = substitutes.condition_batch(source, targets, [1, 2])
     assert batch.attrs["table1_rows_met"] == "afm_rms_height,all_rms_slope"
 
 
 def test_a_surface_without_published_roughness_is_not_conditioned(spectrum):
     assert substitute(spectrum, table1=TABLE1.iloc[:0]).targets is None
-    batch = conditioning.condition_batch(substitute(spectrum), None, [1, 2])
+    batch = substitutes.condition_batch(substitute(spectrum), None, [1, 2])
     assert (batch.amplitude_gain == 1).all() and (batch.factor == 1).all()
     np.testing.assert_array_equal(batch.scan, [1, 2])
 
 
 def test_negative_heights_are_refused_in_one_line(spectrum):
     targets = make_targets((20.0, 0.4, 0.05), height_std=40.0)
-    message = refusal(conditioning.condition_batch, substitute(spectrum), targets, range(1, 6))
+    message = refusal(substitutes.condition_batch, substitute(spectrum), targets, range(1, 6))
     assert_says(
         message, "5 scans with the mean 20 nm and the standard deviation 40 nm", "expected", "found"
     )
@@ -130,7 +130,7 @@ def test_negative_heights_are_refused_in_one_line(spectrum):
 def test_rows_of_table_1_beyond_a_smooth_gain_are_not_met(spectrum):
     height, slope, curvature = spectrum.attrs["expected_scan_rms"]
     targets = make_targets((height, 0.05 * slope, curvature), 1.0, tuple(TABLE1_METRICS))
-    batch = conditioning.condition_batch(substitute(spectrum), targets, [1, 2, 3])
+    batch = substitutes.condition_batch(substitute(spectrum), targets, [1, 2, 3])
     assert batch.attrs["table1_rows_met"] == "afm_rms_height,all_rms_slope"
     scan_metrics = synthesized_metrics(substitute(spectrum), batch)
     assert scan_metrics.rms_height.mean() == pytest.approx(height, rel=1e-6)
