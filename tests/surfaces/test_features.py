@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from measurements import UNCD
-from paper_numbers import POLISHED, table1_rows
+from paper_numbers import POLISHED
 from periodic_maps import periodic_map
 
 from hardcontact.surfaces.features import (
@@ -15,7 +15,6 @@ from hardcontact.surfaces.features import (
     feature_squares,
     featured_rms,
     nearest_featured_scans,
-    published_statistics,
     sample_permitted_features,
     standardized_differences,
 )
@@ -97,14 +96,6 @@ def test_deviations_are_in_standard_errors():
     np.testing.assert_allclose(deviations[3], (np.sqrt(2) - 1) * np.sqrt(8))
     shifted = standardized_differences(values + POLISHED.stds / np.sqrt(5), POLISHED)
     np.testing.assert_allclose(shifted[:3], 1)
-
-
-def test_published_statistics_keep_the_relative_deviations_of_table_1():
-    rows = table1_rows("polished_uncd")
-    means = {"rms_height": 3.2, "rms_gradient": 0.04, "rms_half_laplacian": 1e-3}
-    statistics = published_statistics(means, rows, 5)
-    np.testing.assert_allclose(statistics.stds, [1.6, 0.01, 0.65e-3])
-    assert statistics.all_rms_height == 4.2
 
 
 SUBSTITUTE = Substitute(

@@ -72,7 +72,7 @@ class HurstFit(NamedTuple):
 
 
 def fit_hurst_exponent(wavevector: Floats, density: Floats, variance: Floats) -> HurstFit:
-    """Return the posterior mean of the Hurst exponent of the shortest decade, or of three bins.
+    """Return the Hurst exponent of the shortest decade, or of three bins: its posterior mean.
 
     For each roll-off and SHARPNESS, a weighted regression gives H. The prior is uniform in the
     logarithm of the roll-off, in SHARPNESS, and in H from 0 to 1.
@@ -190,7 +190,7 @@ def _find_tail_end(density: Floats) -> tuple[int, TailEnd]:
 
 
 def extrapolate_long_waves(density: Floats, longest: float, slope: float, rolloff: float) -> Floats:
-    """Return C_iso that rises from the longest wavelength with d ln C/d ln q to the roll-off."""
+    """Return C_iso that rises by a slope d ln C/d ln q from the longest wavelength to the roll-off."""
     relative = np.maximum(2 * np.pi / WAVEVECTORS / longest, 1.0)
     exponent = -np.clip(slope, STEEPEST_SELF_AFFINE_SLOPE, 0.0)
     return np.asarray(density * np.minimum(relative, max(rolloff / longest, 1.0)) ** exponent)

@@ -26,19 +26,15 @@ from hardcontact.surfaces.height_map import HeightMap
 
 #: The largest file in bytes: four times a map of 8192 x 8192 pixels in single precision.
 MAX_FILE_BYTES = 2**30
-#: Largest memory that the child may add, in bytes.
-MAX_MEMORY = 4 * 2**30
-#: Memory for any file, in bytes.
+#: Memory that the child may add, in bytes: for any file, for each byte read, and at most.
 SMALL_FILE_MEMORY = 2**29
-#: Further memory for each byte read, in bytes.
 MEMORY_PER_BYTE = 200
-#: Longest processor time of the child in s.
-MAX_SECONDS = 120
-#: Processor time for any file, in s.
+MAX_MEMORY = 4 * 2**30
+#: Processor time of the child in s: for any file, for each 2**20 bytes read, and at most.
 SMALL_FILE_SECONDS = 2
-#: Further processor time for each 2**20 bytes read, in s.
 SECONDS_PER_MEGABYTE = 10
-#: Elapsed time in s, with waits for a processor: five times the longest computing time.
+MAX_SECONDS = 120
+#: Elapsed time in s, with waits for a processor: five times the longest processor time.
 MAX_WAIT_SECONDS = 600
 #: Pixels under a mask of the file are heights (keep), or undefined (exclude).
 MASKS = ("keep", "exclude")

@@ -32,11 +32,9 @@ MIN_PIXELS = 4
 #: The ratio of the size to the longest reliable wavelength: levelling and the window change longer
 #: waves. Without a roll-off C_iso is 1.2 times too large at a third of the size, 2 times at half.
 MIN_WAVES_IN_SIZE = 3
-#: Flattest slope of C_iso of a self-affine surface.
+#: Slopes of C_iso: the flattest and the steepest of self-affine surfaces, the steepest of facets.
 FLATTEST_SLOPE = -2.0
-#: Steepest slope of C_iso of a self-affine surface.
 STEEPEST_SELF_AFFINE_SLOPE = -4.0
-#: Steepest slope of C_iso of a surface with facets.
 STEEPEST_FACET_SLOPE = -5.0
 #: Standard errors by which a slope must exceed one of these limits.
 MIN_STANDARD_ERRORS = 2
@@ -44,9 +42,8 @@ MIN_STANDARD_ERRORS = 2
 MAX_AXIS_RATIO = 2.0
 #: Bins beside a noise floor that also hold much noise: C ~ q^-3 is four times as high two bins on.
 NOISE_MARGIN_BINS = 2
-#: Least factor by which C_iso rises toward shorter wavelengths at a peak.
+#: Least factor, and number of standard errors, by which C_iso rises toward short waves at a peak.
 MIN_PEAK_RISE = 2.0
-#: Least rise at a peak in standard errors.
 MIN_PEAK_ERRORS = 4
 #: Relative error of the tip's cutoff, far below the safety factor of its criterion.
 TIP_CUTOFF_ERROR = 1e-3

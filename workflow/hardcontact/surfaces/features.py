@@ -83,7 +83,7 @@ def published_statistics(
 
 def feature_squares(height: ArrayLike, width: ArrayLike, size: float) -> Floats:
     """Return the increase of the squared rms values (..., 3) of a levelled scan by one feature."""
-    # Campbell's theorem: the mean squares of its shape, gradient and half-Laplacian.
+    # By Campbell's theorem, these are mean squares of the shape, gradient and half-Laplacian.
     height, width = np.asarray(height), np.asarray(width)
     # The squared shape, exp(-x²/w²) along an axis, lies w/sqrt(pi) from its centre on average.
     # As centres are uniform in the scan, the mean share w/(sqrt(pi) L) lies outside; the squares of

@@ -41,9 +41,8 @@ DATA_EVIDENCE = ("published", "measured")
 ROLLOFF_FACTOR = 1.5
 #: Largest number of samples until one can be calibrated: every second one of NCD and MCD can.
 MAX_SAMPLES = 100
-#: Rows of Table 1 to which the spectrum of scans is fitted.
+#: Rows of Table 1 to which the spectrum of scans, and the tail of shorter waves, are fitted.
 AFM_ROWS = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
-#: Rows of Table 1 to which the tail at shorter wavelengths is fitted.
 TAIL_ROWS = ("all_rms_slope", "all_rms_curvature")
 #: Rows of Table 1 to which a model is calibrated if its Hurst exponent is blank.
 CALIBRATION_ROWS = {"self-affine": AFM_ROWS, "varying Hurst": AFM_ROWS, "power law": TAIL_ROWS}

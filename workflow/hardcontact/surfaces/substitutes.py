@@ -81,8 +81,8 @@ class Substitute:
     def targets(self) -> Targets | None:
         """Targets of scans on the study's pixels; None if no rms height is published.
 
-        They are the calibrated rows of Table 1: the rms height of scans of the paper's size, slope
-        and curvature of scans with its pixels, too. Others are expected values of the spectrum.
+        Calibrated rows of Table 1 give the rms height of scans of the paper's size, and slope and
+        curvature of scans that also have its pixels. Others are expected values of the spectrum.
         """
         if "afm_rms_height" not in self.table1.index:
             return None
