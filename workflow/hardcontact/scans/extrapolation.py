@@ -190,7 +190,7 @@ def _find_tail_end(density: Floats) -> tuple[int, TailEnd]:
 
 
 def extrapolate_long_waves(density: Floats, longest: float, slope: float, rolloff: float) -> Floats:
-    """Return C_iso that rises by a slope d ln C/d ln q from the longest wavelength to the roll-off."""
+    """Return C_iso rising by a slope d ln C/d ln q from the longest wavelength to the roll-off."""
     relative = np.maximum(2 * np.pi / WAVEVECTORS / longest, 1.0)
     exponent = -np.clip(slope, STEEPEST_SELF_AFFINE_SLOPE, 0.0)
     return np.asarray(density * np.minimum(relative, max(rolloff / longest, 1.0)) ** exponent)
