@@ -34,9 +34,8 @@ Model = TypeVar("Model", bound=BaseModel)
 
 
 def key_fault(key: str, accepted: object, value: object) -> str:
-    """Return the line of a fault of a key, or of several keys with "and" between."""
-    keys = "keys" if " and " in key else "key"
-    return f"config {keys} {key}: expected {accepted}, found {value}"
+    """Return the line of a fault of a key."""
+    return f"config key {key}: expected {accepted}, found {value}"
 
 
 def raise_faults(lines: Iterable[str]) -> None:

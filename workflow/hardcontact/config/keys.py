@@ -52,8 +52,7 @@ class SphereKeys(Keys):
     surface: types.SurfaceId = key("ruby", "Methods")
     """Surface of the sphere. With `published: none` also `smooth`: a sphere without roughness."""
     radius: types.Radius = key("250 um", "Methods (diameter 0.5 mm)")
-    """Radius. A larger sphere feels a larger force. A sphere of this radius is subtracted from its
-    scans."""
+    """Radius of the sphere. A sphere of this radius is subtracted from its scans."""
 
 
 class ScanKeys(Keys):

@@ -190,7 +190,7 @@ def _map_faults(bodies: str, pixel_size: float, *extents: Extent) -> Iterator[st
     if pixels > MAX_MAP_PIXELS:
         common_pixels = f"{bodies} on common pixels of {pixel_size:.4g} nm"
         accepted = f"at most {MAX_MAP_PIXELS} pixels per row of {common_pixels}"
-        yield key_fault("surfaces and scan", accepted, pixels)
+        yield f"config keys surfaces and scan: expected {accepted}, found {pixels}"
 
 
 def _memory_faults(

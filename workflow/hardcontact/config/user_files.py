@@ -10,9 +10,9 @@ from pathlib import Path
 from typing import Annotated, Any, NamedTuple, TypeVar
 
 import yaml
-from pydantic import BaseModel, Field, WrapValidator
+from pydantic import Field, WrapValidator
 
-from hardcontact.config.faults import quote_key, raise_faults, validate
+from hardcontact.config.faults import Model, quote_key, raise_faults, validate
 from hardcontact.records.code import ROOT
 
 #: Largest size of a table: a hundred thousand rows.
@@ -22,7 +22,6 @@ DECIMAL = re.compile(r"^([-+]?\d*),(\d+(?:[eE][-+]?\d+)?)$")
 #: Cells by the name of their column.
 Row = Mapping[str, str]
 Result = TypeVar("Result")
-Model = TypeVar("Model", bound=BaseModel)
 #: A cell with a number, or a blank cell, which is NaN.
 BLANK_AS_NAN = WrapValidator(lambda cell, parse: parse(cell) if cell else math.nan)
 NumberCell = Annotated[float, Field(strict=False), BLANK_AS_NAN]
@@ -89,9 +88,9 @@ class UserTable(NamedTuple):
         faults = dict[str, list[tuple[int, str]]]()
         for line, cells in self.cells.items():
             try:
-                too_many = len(cells) > len(self.header)
-                hint = "; decimal commas need semicolons between cells" if too_many else ""
                 if len(cells) != len(self.header):
+                    too_many = len(cells) > len(self.header)
+                    hint = "; decimal commas need semicolons between cells" if too_many else ""
                     raise ValueError(f"expected {len(self.header)} cells, found {len(cells)}{hint}")
                 results[line] = function(dict(zip(self.header, cells, strict=True)))
             except ValueError as error:

@@ -49,16 +49,14 @@ class StoreKind(NamedTuple):
 class Purpose(NamedTuple):
     """The settings of masters of one purpose, with keys of the configuration."""
 
-    section: str  #: Section of the pixels and cutoffs of masters.
-    contacts_key: str  #: Key of the number of contacts per row.
     masters_key: str  #: Key of the number of masters of a surface.
+    section: str = "sets"  #: Section of the pixels and cutoffs of masters.
+    contacts_key: str = "sets.contacts_per_row"
     masters_per_job: int = MASTERS_PER_JOB
     masters_are_files: bool = False  #: Whether masters are files of the store.
     samples_spectra: bool = False  #: Whether each master has a sampled spectrum.
     rough_sphere: bool = True  #: Whether a study with a rough sphere uses it here.
-    #: Name of the random numbers in masters: "variant", an old name, of the masters of the sets, of
-    #: which `exponents` and `edge_shifts` use the first; "master" of those of the band.
-    stream: str = "variant"
+    stream: str = "variant"  #: Name of the random numbers in masters: all of sets have the same.
     sides: Sequence[str] = SIDES
     radii_key: str = "sphere.radius"  #: Key of the radius of the sphere, or of several radii.
     preload_shares: Sequence[float] = (1,)  #: Loads, relative to the preload of the study.
@@ -66,30 +64,26 @@ class Purpose(NamedTuple):
     further_ranges: Sequence[float] = ()  #: Ranges of adhesion in nm, besides that of the study.
 
 
+_BAND = Purpose(
+    "band.masters", "band", "contact.contacts_per_row", masters_per_job=1, stream="master"
+)
 #: By the name in the paths of their forces.
 PURPOSES = {
-    # The band of the study.
-    "band": Purpose(
-        "band", "contact.contacts_per_row", "band.masters", masters_per_job=1,
-        masters_are_files=True, stream="master",
-    ),
-    # The same with sampled spectra, of measured surfaces only, and with the same random numbers.
-    "sampled": Purpose(
-        "band", "contact.contacts_per_row", "band.masters", masters_per_job=1,
-        samples_spectra=True, stream="master",
-    ),
+    # The band of the study, also with sampled spectra of measured surfaces.
+    "band": _BAND._replace(masters_are_files=True),
+    "sampled": _BAND._replace(samples_spectra=True),
     # The edges of each set of substitutes.
-    "sets": Purpose("sets", "sets.contacts_per_row", "sets.masters"),
+    "sets": Purpose("sets.masters"),
     # How the edges depend on radius and load, on a smooth sphere. At an eighth of the preload the
     # contact still has some 30 pixels; larger loads move short edges beyond the cutoffs of sets.
     "exponents": Purpose(
-        "sets", "sets.contacts_per_row", "exponents.masters", rough_sphere=False,
-        radii_key="exponents.radii", preload_shares=(1 / 8, 1),
+        "exponents.masters", rough_sphere=False, radii_key="exponents.radii",
+        preload_shares=(1 / 8, 1),
     ),
     # The short edge with and without plasticity and a long range of adhesion.
     "edge_shifts": Purpose(
-        "sets", "sets.contacts_per_row", "exponents.masters", sides=("short",),
-        plastic=(True, False), further_ranges=(SHORT_ADHESION_RANGE,),
+        "exponents.masters", sides=("short",), plastic=(True, False),
+        further_ranges=(SHORT_ADHESION_RANGE,),
     ),
 }  # fmt: skip
 
@@ -117,11 +111,10 @@ def _surface_kinds(plan: StudyPlan) -> dict[str, StoreKind]:
     band = study["band"]
     sides = {side: {key: band[side][key] for key in keys} for side, keys in side_keys.items()}
     return {
-        # Measured scans, as their files have them.
+        # Measured scans, as their files have them, and their spectra.
         "measurements": StoreKind(reading_arguments(study)),
-        # The spectrum of a surface, from all its measurements.
         "measured_spectra": StoreKind(levelling, ["measurements"]),
-        # Such spectra, sampled within the uncertainty of the measurements.
+        # Spectra sampled within the uncertainty of the measurements.
         "sampled_spectra": StoreKind({**seed, **levelling}, ["measurements"]),
         # Levelled scans, mirrored scans, and the conditioning of substitutes on Table 1.
         "measured_scans": StoreKind(levelling, ["measurements"]),
@@ -155,7 +148,6 @@ def _scan_contact_kinds(plan: StudyPlan) -> dict[str, StoreKind]:
     return {
         # Forces on a scan, with all scans of the sphere.
         "pull_off": StoreKind(pull_off, ["scans"]),
-        # Elastic contacts of a surface, and the asperities that carry the forces on it.
         "elastic": StoreKind({**seed, "contact": contact, **study["elastic"]}, ["scans"]),
         "asperities": StoreKind(asperities, ["scans"]),
         # Forces on a scan with each octave changed.
