@@ -131,7 +131,7 @@ def _share_of_decades(value: float, low: float, high: float) -> float:
 def unbroken(text: Any) -> str:
     """Return a text whose lines do not break between a number and its unit."""
     words = NO_BREAK.sub("\N{NO-BREAK SPACE}", str(text))
-    return type(text)(words) if hasattr(text, "__html__") else words  # stays escaped
+    return Markup(words) if isinstance(text, Markup) else words
 
 
 def _link_claims(text: str, claims: Mapping[str, Mapping[str, Any]]) -> Any:

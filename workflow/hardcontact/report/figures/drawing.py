@@ -86,7 +86,7 @@ def _has_many_points(artist: Artist) -> bool:
 
 
 def create_figure(height: float, surfaces: xr.Dataset) -> Figure:
-    """Return an empty figure of print width and a height (inch), with substitutes at its foot.
+    """Return an empty figure of print width and a height (inch) that names its substitutes.
 
     The dataset has `label(surface)` and `source(surface)`, or both as attributes for one surface.
     """

@@ -81,10 +81,10 @@ def _lognormals(published: Mapping[Any, float], fit: xr.Dataset) -> tuple[Any, A
     return lognorm(published_log_std, scale=median), computed_lognormal
 
 
-def _label_column(column: np.ndarray, letter: str, fit: xr.Dataset, published: Any) -> None:
+def _label_column(column: np.ndarray, letter: str, fit: xr.Dataset, lognormal: Any) -> None:
     """Write the surface above its linear panel, and the std of ln F above the logarithmic panel."""
     style.label_panel(column[0], f"{letter}_1", str(fit["label"].item()))
-    (published_log_std,) = published.args
+    (published_log_std,) = lognormal.args
     log_std = format_estimate(panels.value_and_bounds(fit, "log_force_std"), ".2f")
     title = f"std of ln $F$\npublished {published_log_std:.2f}\nhere {log_std}"
     style.label_panel(column[1], f"{letter}_2", title)

@@ -48,7 +48,7 @@ def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
     drawn_values = values[values > MIN_DRAWN_FORCE]
     bottom, top = drawn_values.min() / 12, drawn_values.max() * 6
     # Forces below MIN_DRAWN_FORCE are drawn in a strip above the bottom.
-    no_force = 1.7 * bottom
+    no_force_height = 1.7 * bottom
     offsets = np.linspace(-0.3, 0.3, classical.sizes["surface"])
     for offset, (look, surface_data) in zip(
         offsets, style.iterate_surfaces(classical), strict=True
@@ -58,9 +58,9 @@ def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
             panels.draw_bars(axes, x + offset, force, ls="none", **look)
         published = surface_data["published_mean_force"].item() / style.MICRONEWTON
         axes.axhline(published, color=look["color"], zorder=0, **PUBLISHED_LINE)
-        _draw_model_forces(axes, surface_data, 2 + offset, no_force, look)
+        _draw_model_forces(axes, surface_data, 2 + offset, no_force_height, look)
     axes.axhspan(bottom, 3 * bottom, color="0.9", zorder=0)
-    axes.text(1.6, no_force, "no force", fontsize=7, va="center")
+    axes.text(1.6, no_force_height, "no force", fontsize=7, va="center")
     axes.axvline(1.5, color="black", lw=0.6)
     labels = ["published", "computed", *classical["model_label"].values]
     axes.set_xticks(range(len(labels)), labels, **style.TILTED_LABELS)
@@ -70,11 +70,11 @@ def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
 
 
 def _draw_model_forces(
-    axes: Axes, surface_data: xr.Dataset, start: float, no_force: float, look: style.Look
+    axes: Axes, surface_data: xr.Dataset, start: float, no_force_height: float, look: style.Look
 ) -> None:
     """Draw the forces (µN) of the models on one surface, the first at the position `start`."""
     forces = panels.value_and_interval(surface_data, "model_force") / style.MICRONEWTON
-    drawn_forces = forces.where(~(forces < MIN_DRAWN_FORCE), no_force)
+    drawn_forces = forces.where(~(forces < MIN_DRAWN_FORCE), no_force_height)
     positions = start + np.arange(surface_data.sizes["model"])
     for metrics, shift in zip(METRIC_LABELS, (-0.04, 0.04), strict=True):
         face = look["color"] if metrics == "afm" else "white"

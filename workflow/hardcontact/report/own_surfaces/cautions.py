@@ -66,8 +66,7 @@ def answer_cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Cauti
     surface_cautions = [
         *_blind_scans_caution(data),
         *_defect_cautions(data.spectra, grave=True),
-        *_reading_cautions(data.spectra),
-        *_repeated_scan_cautions(data.spectra),
+        *_scan_cautions(data.spectra),
         *_contact_cautions(data.force, numbers),
         *_small_scan_caution(data),
         *_few_pixels_caution(data.force),
@@ -204,18 +203,13 @@ def _defect_cautions(spectra: xr.Dataset, *, grave: bool) -> Iterator[Caution]:
             yield Caution(code, *numbers, grave=grave, measurement=index, **texts)
 
 
-def _reading_cautions(spectra: xr.Dataset) -> Iterator[Caution]:
-    """Yield the cautions that reading the file of each measurement gave, as sentences."""
+def _scan_cautions(spectra: xr.Dataset) -> Iterator[Caution]:
+    """Yield cautions from reading each file, and on scans of an area that an earlier scan shows."""
     for scan in split_measurements(spectra):
+        name = measurement_name(scan)
         for line in split_notes(str(scan["notes"].item()).splitlines())[1]:
-            yield Caution("reading", scan=measurement_name(scan), sentence=line)
-
-
-def _repeated_scan_cautions(spectra: xr.Dataset) -> Iterator[Caution]:
-    """Yield a caution for each scan of an area that an earlier scan shows."""
-    for scan in split_measurements(spectra):
+            yield Caution("reading", scan=name, sentence=line)
         if earlier := str(scan["earlier_scan"].item()):
-            name = measurement_name(scan)
             yield Caution("repeated_scan", grave=True, scan=name, earlier=earlier)
 
 

@@ -9,8 +9,7 @@ import xarray as xr
 from hardcontact.base.number import Number
 from hardcontact.contact.contact import PLASTIC
 
-#: Kinds of measurement; a substitute has a description instead. The datasets of a surface with
-#: fewer measurements than another are padded, without a kind.
+#: Kinds of measurement. Surfaces with fewer measurements than others have padding without a kind.
 MEASUREMENT_KINDS = ("map", "line scan", "description")
 #: Lengths of each measurement, in nm.
 MEASUREMENT_LENGTHS = ("size", "pixel_size", "shortest_reliable", "longest_reliable", "tip_radius")

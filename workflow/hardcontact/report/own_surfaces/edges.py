@@ -190,7 +190,7 @@ def _drop_partial_interval(number: Number) -> Number:
 
 
 def next_scans(numbers: Mapping[str, Number], spectra: xr.Dataset) -> list[NextScan]:
-    """Return a measurement to make next for each edge that is open, unknown or unreliable."""
+    """Return a measurement to make for each edge that is open, unknown or partly unreliable."""
     # A surface that is only described may not exist yet.
     if (spectra["kind"] == "description").any():
         return []
