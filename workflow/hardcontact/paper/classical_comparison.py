@@ -57,10 +57,12 @@ def apply_classical_models(
     radius = fit.attrs["sphere_radius"]
     work = constants["work_of_adhesion"]
     sphere = ElasticSphere(radius, effective_modulus(constants), constants["equilibrium_spacing"])
+    plastic = fit.sel(surface=surfaces, contact_model=PLASTIC, pair="published")
+    interval = plastic["mean_force_at_pair_interval"].transpose("surface", "end")
     # Forces and effective works (surface, 3) are values, low and high ends of intervals.
     forces = {
         "published": _rounded_numbers(printed_means[surfaces]),
-        "computed": _forces_at_published_pair(fit.sel(surface=surfaces)),
+        "computed": np.column_stack([plastic["mean_force_at_pair"].values, interval.values]),
     }
     # The printed Tabor parameter counts; the computed one differs (departures.md, 5).
     maugis = hertz_jkr_dmt.maugis_parameter(constants["tabor_parameter"])
@@ -115,23 +117,14 @@ def _sample_roughness(rows: pd.DataFrame, metrics: str, sampling: Sampling) -> R
     return Roughness(*samples_by_quantity)
 
 
-def _forces_at_published_pair(fit: xr.Dataset) -> Floats:
-    """Return the mean forces of plastic contact and the ends of their intervals, (surface, 3)."""
-    plastic = fit.sel(contact_model=PLASTIC, pair="published")
-    interval = plastic["mean_force_at_pair_interval"].transpose("surface", "end")
-    return np.column_stack([plastic["mean_force_at_pair"].values, interval.values])
-
-
 def _rounded_numbers(printed: "pd.Series[str]") -> Floats:
     """Return printed numbers, and the smallest and largest numbers rounded to them, (n, 3)."""
     value = printed.astype(float).to_numpy()
-    half_unit = printed.map(_half_unit).astype(float).to_numpy()
+    exponents = [int(Decimal(number).as_tuple().exponent) for number in printed]
+    half_unit = np.array(
+        [float(f"5e{exponent - 1}") for exponent in exponents]
+    )  # of the last digit
     return np.stack([value, value - half_unit, value + half_unit], axis=-1)
-
-
-def _half_unit(printed: str) -> float:
-    """Return half a unit of the last digit of a printed number: 5e-8 of "8.8e-6"."""
-    return float(Decimal(5).scaleb(int(Decimal(printed).as_tuple().exponent) - 1))
 
 
 def _forces_and_works(

@@ -6,7 +6,6 @@ sampled with replacement from those that all sets share, and are not scaled to T
 """
 
 from collections.abc import Mapping, Sequence
-from itertools import islice
 from typing import NamedTuple
 
 import numpy as np
@@ -161,12 +160,12 @@ def sample_sets(
 ) -> xr.Dataset:
     """Return sets.nc: of each set the values (set, claim) of claims, the fit and the edges."""
     numbers = range(1, settings.set_count + 1)
-    remaining = iter(progress(numbers, len(numbers), "sets"))
+    sets: list[dict[str, xr.Dataset]] = []
     batches = []
-    while sets := [
-        _set_datasets(inputs, published, settings, set_number)
-        for set_number in islice(remaining, SETS_AT_ONCE)
-    ]:
+    for set_number in progress(numbers, len(numbers), "sets"):
+        sets.append(_set_datasets(inputs, published, settings, set_number))
+        if len(sets) < SETS_AT_ONCE and set_number < settings.set_count:
+            continue
         datasets = {name: xr.concat([data[name] for data in sets], "set") for name in sets[0]}
         variables = [
             claim_values(claims, datasets, constants).to_dataset(name="value"),
@@ -174,6 +173,7 @@ def sample_sets(
             datasets["edges"][SET_EDGE_VARIABLES],
         ]
         batches.append(xr.merge(variables, join="exact", combine_attrs="drop_conflicts"))
+        sets = []
     return (
         xr.concat(batches, "set")
         .assign_coords(set=numbers)

@@ -100,11 +100,12 @@ def _estimate_claims(
     confidence: float,
 ) -> Iterator[tuple[Claim, _ClaimResult | None]]:
     """Yield each claim and its estimate, None if the datasets lack a label."""
-    complete = {
-        name: _add_surface(data).assign_attrs(confidence=confidence)
-        for name, data in datasets.items()
-    }
-    complete["paper"] = xr.Dataset(constants["value"].to_dict())
+    complete = {"paper": xr.Dataset(constants["value"].to_dict())}
+    for name, dataset in datasets.items():
+        complete[name] = dataset.assign_attrs(confidence=confidence)
+        # A dataset of a single surface names it in an attribute.
+        if "surface" not in dataset.dims and "surface" in dataset.attrs:
+            complete[name] = complete[name].expand_dims(surface=[dataset.attrs["surface"]])
     estimates: dict[tuple[str, str], xr.Dataset] = {}
     claim: Claim
     for claim in claims.itertuples(index=False):
@@ -126,13 +127,6 @@ def _estimate_quantity(quantity: str, dataset: xr.Dataset, *others: xr.Dataset) 
     if quantity in DERIVED_QUANTITIES:
         return DERIVED_QUANTITIES[quantity](dataset, *others)
     return variable_estimate(dataset, TABLE1_VARIABLES.get(quantity, quantity))
-
-
-def _add_surface(data: xr.Dataset) -> xr.Dataset:
-    """Add the dimension `surface` to a dataset whose attribute names its only surface."""
-    if "surface" in data.dims or "surface" not in data.attrs:
-        return data
-    return data.expand_dims(surface=[data.attrs["surface"]])
 
 
 @contextmanager
