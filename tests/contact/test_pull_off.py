@@ -8,8 +8,7 @@ import xarray as xr
 from direct_sum import direct_force, direct_total, gap_of_bodies
 from periodic_maps import CONTACT, make_bodies, periodic_noise
 
-from hardcontact.contact.pull_off import pull_off_dataset
-from hardcontact.contact.scan_pull_off import finer_pixel_ratio, wider_window_change
+from hardcontact.contact.pull_off import finer_pixel_ratio, pull_off_dataset, wider_window_change
 
 RHOS = [1.0, 5.6]
 

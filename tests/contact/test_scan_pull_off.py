@@ -3,8 +3,11 @@
 import numpy as np
 from periodic_maps import CONTACT, make_bodies, periodic_noise
 
-from hardcontact.contact.pull_off import pull_off_dataset
-from hardcontact.contact.scan_pull_off import pull_off_with_checks, stack_pull_off_forces
+from hardcontact.contact.pull_off import (
+    pull_off_dataset,
+    pull_off_with_checks,
+    stack_pull_off_forces,
+)
 
 RANGES = [1.0, CONTACT.rho]
 SUBSTRATE = periodic_noise(128, 20.0, 1)

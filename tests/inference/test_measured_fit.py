@@ -8,9 +8,10 @@ from intervals import between_multiples
 from known_forces import FORCE_DIMS
 
 from hardcontact.base.statistics import Sampling, interval_ends
-from hardcontact.inference.measured_fit import add_extrapolated_work, fit_measured
-from hardcontact.inference.measured_forces import (
+from hardcontact.inference.measured_fit import (
     ForceSummary,
+    add_extrapolated_work,
+    fit_measured,
     look_repeated,
     sample_measured_mean,
     summarize_forces,

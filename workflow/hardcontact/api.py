@@ -33,8 +33,7 @@ from hardcontact.config.faults import raise_faults
 from hardcontact.config.keys import NONE, BandKeys, ContactKeys, IntervalKeys
 from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.geometry import join_bodies
-from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_dataset
-from hardcontact.contact.scan_pull_off import wider_window_change
+from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_dataset, wider_window_change
 from hardcontact.inference.edges import edges_of_ratios
 from hardcontact.inference.forces_on_masters import Filters, add_force_ratios, filtered_pull_off
 from hardcontact.own.own_spectrum import OwnSpectrum, read_own_spectrum, spectrum_of_map

@@ -1,7 +1,7 @@
 """Pull-off forces of all surfaces, scans, contact models and ranges of adhesion."""
 
 from hardcontact.base.dataset import add_surface_names, read_by_key
-from hardcontact.contact.scan_pull_off import stack_pull_off_forces
+from hardcontact.contact.pull_off import stack_pull_off_forces
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:

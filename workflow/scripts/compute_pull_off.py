@@ -2,7 +2,7 @@
 
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies, spheres_at_positions
-from hardcontact.contact.scan_pull_off import pull_off_with_checks
+from hardcontact.contact.pull_off import pull_off_with_checks
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.height_map import load_height_map
 

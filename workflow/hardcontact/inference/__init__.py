@@ -4,7 +4,7 @@
 differ, because the paper's study has many substitutes of a surface, a user often one or two scans:
 
 - mean forces: `force_statistics` for substitutes; `mean_forces` and `scan_parts` for the user's
-  scans; `measured_forces` for the user's measurements;
+  scans;
 - the band: `edges`;
 - range and work: `fit` finds the best pair, `published_fit` and `measured_fit` the other pairs that
   the published or the user's forces permit.

@@ -114,7 +114,6 @@ def fit_contact_model(
     ranges = fine_ranges(forces.rho.values)
     means = sample_mean_forces(forces, sampling)
     force_curves = interpolate_to_ranges(means, forces.rho.values, ranges)
-    surfaces = forces.surface.values
     axes = ("surface", "rho")
     scan_means = mean_over_contacts(forces).transpose(..., *axes)
     interval = student_log_interval(scan_means, sampling.confidence, "scan")
@@ -128,12 +127,14 @@ def fit_contact_model(
         )
     )
     coordinates = {
+        "surface": forces.surface,
+        "left_out": forces.surface.values,
+        "rho": forces.rho,
         "rho_fine": ("rho_fine", ranges, NM),
         "work": ("work", MAPPED_WORKS, JOULE_PER_M2),
         "minimum": np.arange(1, MAX_MINIMA + 1),
     }
-    axes_of_forces = {"surface": forces.surface, "left_out": surfaces, "rho": forces.rho}
-    return xr.Dataset(variables, axes_of_forces | coordinates)
+    return xr.Dataset(variables, coordinates)
 
 
 def _fitted_variables(

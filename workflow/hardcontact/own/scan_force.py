@@ -16,8 +16,7 @@ from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.geometry import join_bodies, spheres_at_positions
 from hardcontact.contact.hertz_jkr_dmt import limit_forces
 from hardcontact.contact.numerical_limits import LARGE_SIZE_RATIO, finite_scan_ratio
-from hardcontact.contact.pull_off import make_force_function
-from hardcontact.contact.scan_pull_off import pull_off_on_spheres
+from hardcontact.contact.pull_off import make_force_function, pull_off_on_spheres
 from hardcontact.inference.mean_forces import (
     SurfaceForces,
     forces_of_surface,
