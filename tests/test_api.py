@@ -71,19 +71,6 @@ def test_the_example_of_every_function_runs(name, files):
         exec(example.source, names)
 
 
-def test_the_example_scan_is_reproduced_by_its_code(tmp_path, monkeypatch):
-    folder = ROOT / "resources/examples"
-    code = re.search(
-        r"^```python\n(.*?)^```", (folder / "README.md").read_text("utf-8"), re.M | re.S
-    )
-    monkeypatch.chdir(tmp_path)
-    exec(code[1], {})
-    written, shipped = (np.loadtxt(path / "demo.txt") for path in (tmp_path, folder))
-    np.testing.assert_allclose(written, shipped, atol=0.011)
-    scan = hc.read_scan(folder / "demo.txt")
-    assert (scan.pixels, scan.size) == (256, pytest.approx(5000)) and 9 < scan.heights.std() < 11
-
-
 def test_arguments_that_are_no_roughness_are_refused_in_one_line(files):
     scan = hc.read_scan("scan.nc")
     assert_says(refusal(hc.read_spectrum, ["scan.nc"]), "expected a path", "['scan.nc']")

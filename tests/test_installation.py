@@ -20,23 +20,16 @@ print(numbers["closed_form_force"].value)
 """
 
 
-@pytest.fixture
-def programs(tmp_path):
-    """Install the package into an empty environment; return the folder of its programs."""
-    source = tmp_path / "source"
+@pytest.mark.system
+def test_the_package_installed_alone_predicts_as_the_library_here(tmp_path, monkeypatch):
+    monkeypatch.delenv("PYTHONPATH", raising=False)
+    source, programs = tmp_path / "source", tmp_path / "environment/bin"
     shutil.copytree(ROOT / "workflow", source / "workflow", ignore=CACHES)
     for name in ("pyproject.toml", "README.md", "LICENSE"):
         shutil.copyfile(ROOT / name, source / name)
-    subprocess.run([sys.executable, "-m", "venv", tmp_path / "environment"], check=True)
-    programs = tmp_path / "environment/bin"
+    subprocess.run([sys.executable, "-m", "venv", programs.parent], check=True)
     subprocess.run([programs / "pip", "install", "-q", source], check=True)
     shutil.rmtree(source)  # so that only what was installed is used
-    return programs
-
-
-@pytest.mark.system
-def test_the_installed_package_predicts_as_the_library_here(programs, tmp_path, monkeypatch):
-    monkeypatch.delenv("PYTHONPATH", raising=False)
 
     def output(program, *words):
         command = [programs / program, *words]
@@ -44,8 +37,8 @@ def test_the_installed_package_predicts_as_the_library_here(programs, tmp_path, 
             command, cwd=tmp_path, check=True, stdout=subprocess.PIPE, text=True
         ).stdout
 
-    words = ["predict", str(SCAN), "--json", "-"]
     expected_force = predict_json(str(SCAN))["closed_form_force"]["value"]
-    by_command = json.loads(output("hardcontact", *words))["closed_form_force"]["value"]
+    written = json.loads(output("hardcontact", "predict", str(SCAN), "--json", "-"))
+    by_command = written["closed_form_force"]["value"]
     by_program = float(output("python", "-c", PROGRAM, str(SCAN)))
     assert [by_command, by_program] == pytest.approx([expected_force] * 2, rel=1e-6)

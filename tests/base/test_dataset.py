@@ -1,4 +1,4 @@
-"""Damaged datasets are refused; sound ones are stacked along new dimensions."""
+"""Damaged datasets are refused; sound datasets are stacked, and their variables described."""
 
 import numpy as np
 import pytest
@@ -6,7 +6,13 @@ import xarray as xr
 from refusals import assert_says, refusal
 from scan_files import random_heights, truncate_file
 
-from hardcontact.base.dataset import read_dataset, stack, write_dataset
+from hardcontact.base.dataset import (
+    describe_variables,
+    read_dataset,
+    read_meanings,
+    stack,
+    write_dataset,
+)
 
 
 def test_texts_of_different_length_are_stacked_whole(tmp_path):
@@ -43,3 +49,23 @@ def test_datasets_are_stacked_in_the_order_of_their_keys_with_nan_for_missing_on
     assert forces.dims == ("surface", "scan", "contact")
     assert forces["surface"].values.tolist() == ["uncd", "mcd"]
     np.testing.assert_array_equal(forces.sel(scan=[2, 1])[..., 0], [[2, 1], [2, np.nan]])
+
+
+def test_variables_are_described_and_others_keep_their_names():
+    named = xr.DataArray(1.0, attrs={"units": "N", "long_name": "Own."})
+    data = xr.Dataset({"force": 1.0, "force_interval": 2.0, "named": named, "scan": 3})
+    result = describe_variables(data, {"force": "Force."})
+    names = {name: result[name].attrs.get("long_name") for name in result}
+    assert names == {
+        "force": "Force.", "force_interval": "Force.", "named": "Own.", "scan": None,
+    }  # fmt: skip
+    assert result.scan.units == "1" and "units" not in result.force.attrs
+    assert data.force.attrs == {}
+
+
+def test_the_meaning_in_one_dataset_overrides_that_in_all(tmp_path, monkeypatch):
+    table = tmp_path / "variables.tsv"
+    table.write_text("dataset\tvariable\tmeaning\n*\ta\tAll.\n*\tb\tAll.\none\ta\tOne.\n")
+    monkeypatch.setattr("hardcontact.base.dataset.MEANINGS", table)
+    assert read_meanings("one") == {"a": "One.", "b": "All."}
+    assert read_meanings("another") == {"a": "All.", "b": "All."}

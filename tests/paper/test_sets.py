@@ -136,13 +136,9 @@ PRINTED = pd.DataFrame({"mean_force": MEAN_FORCE}, index=SUBSTRATES)
 PUBLISHED = PublishedForces(PRINTED, pair=(5.6, WORK), error_threshold=0.1)
 
 
-@pytest.fixture(scope="module")
-def sets():
-    return sample_sets(make_inputs(), CLAIMS_OF_SETS, CONSTANTS, PUBLISHED, SETTINGS)
-
-
-def test_numbers_are_those_of_each_set(sets):
+def test_numbers_are_those_of_each_set():
     inputs = make_inputs()
+    sets = sample_sets(inputs, CLAIMS_OF_SETS, CONSTANTS, PUBLISHED, SETTINGS)
     for number in (1, 2):
         numbers = sets["value"].sel(set=number)
         sampled_scans = sample_set_scans(inputs, 1, number)

@@ -26,12 +26,6 @@ def test_no_self_affine_spectrum_has_the_scans_of_ncd():
         substitute_spectra.calibrate_model(segment, table1_rows("ncd"), weights)
 
 
-@pytest.fixture
-def longer_waves():
-    """Return C_iso of UNCD on WAVEVECTORS, 0 at wavelengths below 20 nm."""
-    return np.where(2 * np.pi / WAVEVECTORS > 20, UNCD.density, 0)
-
-
 @pytest.mark.parametrize(
     ("rms_values", "message"),
     [
@@ -39,7 +33,8 @@ def longer_waves():
         ((0.5, 200.0), "that a power law below .* can add, found 0.5 and 200"),
     ],
 )
-def test_a_tail_beyond_a_power_law_is_refused(longer_waves, rms_values, message):
+def test_a_tail_beyond_a_power_law_is_refused(rms_values, message):
+    longer_waves = np.where(2 * np.pi / WAVEVECTORS > 20, UNCD.density, 0)
     with pytest.raises(ValueError, match=message):
         substitute_spectra.calibrate_tail(longer_waves, *rms_values)
 

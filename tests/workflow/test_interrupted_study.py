@@ -25,13 +25,6 @@ PATIENCE = 300
 STUDY_WORDS = ["--configfile", "config/probe.yaml", "few.yaml", "--config", "effort=quick"]
 
 
-@pytest.fixture
-def empty(probe, tmp_path):
-    """Copy the small study without its results."""
-    ignored = shutil.ignore_patterns("results", ".snakemake")
-    return shutil.copytree(probe.parents[1], tmp_path / "empty", ignore=ignored)
-
-
 def differences_from(probe, results):
     """Return the differences from the study that was left alone."""
     return [
@@ -67,7 +60,9 @@ def kill_after_files(study, *options):
     assert "Traceback" not in (study / "output").read_text()
 
 
-def test_a_study_that_is_killed_twice_ends_as_one_that_is_not(empty, probe):
+def test_a_study_that_is_killed_twice_ends_as_one_that_is_not(probe, tmp_path):
+    ignored = shutil.ignore_patterns("results", ".snakemake")
+    empty = shutil.copytree(probe.parents[1], tmp_path / "empty", ignore=ignored)
     (empty / "results").mkdir()
     for number in range(KILLS):
         kill_after_files(empty, *["--nolock"] * (number > 0))  # The first leaves Snakemake's lock.

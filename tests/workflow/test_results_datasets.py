@@ -1,8 +1,9 @@
-"""The tiny study's datasets are labelled, also beside a measured scan."""
+"""The tiny study's datasets are labelled and described, also beside a measured scan."""
 
 import numpy as np
 import pytest
 import xarray as xr
+from comparison import undescribed_variables
 from own_studies import uncd_heights
 from paper_numbers import SUBSTRATES
 from repository import run_tiny_study
@@ -14,13 +15,8 @@ from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.levelling import level_plane
 
 
-@pytest.fixture(scope="module")
-def final(results):
-    """Return the final datasets by name."""
-    return {path.stem: read_dataset(path) for path in sorted(results.glob("*.nc"))}
-
-
-def test_substitutes_are_labelled(final, finished):
+def test_substitutes_are_labelled(results, finished):
+    final = {path.stem: read_dataset(path) for path in results.glob("*.nc")}
     surfaces = {name: data for name, data in final.items() if "source" in data}
     assert surfaces.keys() >= {"topography", "adhesion", "filtered_forces", "fit", "edges"}
     for name, data in surfaces.items():
@@ -33,6 +29,13 @@ def test_substitutes_are_labelled(final, finished):
     for path in maps:
         with xr.open_dataset(path) as data:
             assert data.attrs["source"] == "substitute", path
+
+
+def test_every_variable_of_the_study_has_a_unit_and_a_meaning(results):
+    # The numbers of claims stand in one variable, each in the unit of its claim.
+    assert undescribed_variables(results) == [("sets", "value")]
+    text = (results / "datasets.md").read_text("utf-8")
+    assert {f"## {path.name}" for path in results.glob("*.nc")} <= {*text.splitlines()}
 
 
 # A measured scan among substitutes

@@ -18,16 +18,6 @@ def ends(dataset):
     return [end.values.tolist() for end in interval_ends(dataset, "value")]
 
 
-def test_intervals_contain_the_mean_with_their_confidence():
-    normal = xr.DataArray(np.random.default_rng(0).normal(size=(4000, 4)), dims=("run", "scan"))
-    # Shares of 4000 runs scatter by 0.006; intervals of log-normal values are approximate.
-    low, high = interval_ends(estimates.signed_mean_over_scans(normal, 0.8), "value")
-    assert float(((low < 0) & (high > 0)).mean()) == pytest.approx(0.8, abs=0.02)
-    low, high = interval_ends(estimates.mean_over_scans(np.exp(0.3 * normal), 0.8), "value")
-    mean = np.exp(0.3**2 / 2)
-    assert float(((low < mean) & (high > mean)).mean()) == pytest.approx(0.8, abs=0.04)
-
-
 def test_a_variable_becomes_a_number_with_its_interval():
     contacts = xr.DataArray(
         np.random.default_rng(0).random((3, 2, 4)), dims=("scan", "sphere_scan", "contact")

@@ -15,13 +15,8 @@ from hardcontact.report.figures.listing import PAPER_FIGURES
 
 
 @pytest.fixture(scope="module")
-def html():
-    return make_page()
-
-
-@pytest.fixture(scope="module")
-def page(html):
-    return Page(html)
+def page():
+    return Page(make_page())
 
 
 def plain(text):
