@@ -7,9 +7,6 @@ from hardcontact.records.job import run_job
 with run_job(snakemake) as job:
     params = job.parameters
     forces = stack_pull_off_forces(read_by_key(params["scan_ids"], job.input.scans))
-    job.write(
-        add_surface_names(forces, params).assign_attrs(
-            {name: params[name] for name in ("rho", "sphere_radius")}
-        ),
-        title="pull-off forces at a work of adhesion of 1 J/m2",
-    )
+    forces = add_surface_names(forces, params)
+    forces.attrs |= {name: params[name] for name in ("rho", "sphere_radius")}
+    job.write(forces, title="pull-off forces at a work of adhesion of 1 J/m2")

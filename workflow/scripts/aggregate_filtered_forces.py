@@ -9,16 +9,13 @@ with run_job(snakemake) as job:
     params = job.parameters
     loading = params["loading"]
     forces = read_master_forces(params["surfaces"], job.input.master_forces, loading)
-    # On masters of spectra sampled within their errors: only measured surfaces have such errors.
-    if job.input.sampled_master_forces:
+    if job.input.sampled_master_forces:  # Only measured surfaces have errors of their spectra.
         sampled_forces = read_master_forces(
             params["sampled_surfaces"], job.input.sampled_master_forces, loading
         )
         forces = add_spectrum_shifts(forces, sampled_forces)
+    forces = add_surface_names(forces, params)
     transitions = [params["transitions"][side] for side in forces["side"].values]
-    job.write(
-        add_surface_names(forces, params)
-        .assign(transition=("side", transitions, NM))
-        .assign_attrs({name: params[name] for name in ("rho", "sphere_radius")}),
-        title="plastic pull-off forces of filtered masters",
-    )
+    forces = forces.assign(transition=("side", transitions, NM))
+    forces.attrs |= {name: params[name] for name in ("rho", "sphere_radius")}
+    job.write(forces, title="plastic pull-off forces of filtered masters")

@@ -12,9 +12,8 @@ with run_job(snakemake) as job:
         surface: hindcast_dataset(forces, params["tolerance"], confidence)
         for surface, forces in forces_by_surface.items()
     }
+    hindcast = add_surface_names(stack(hindcasts, ["surface"]), params)
     job.write(
-        add_surface_names(stack(hindcasts, ["surface"]), params).assign_attrs(
-            confidence=confidence, rho=params["rho"]
-        ),
+        hindcast.assign_attrs(confidence=confidence, rho=params["rho"]),
         title="pull-off forces with artificial in place of measured roughness, and on wider pixels",
     )

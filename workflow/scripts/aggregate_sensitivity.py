@@ -16,19 +16,15 @@ from hardcontact.records.job import run_job
 with run_job(snakemake) as job:
     params = job.parameters
     radius, rho, confidence = params["radius"], params["rho"], params["confidence"]
-    maps = concatenate(read_by_key(params["maps"], job.input.forces), "map")
     # Only the scans of the user may be so few that touched patches matter.
-    touched_patches = (
-        fewest_touched_patches(read_dataset(job.input.adhesion)) if job.input.adhesion else {}
-    )
-    sensitivities = {
-        (surface,): octave_sensitivities(
-            forces,
-            parts_of_maps(forces, radius, rho, touched_patches.get(surface, np.inf)),
-            confidence,
-        )
-        for (surface,), forces in maps.items()
-    }
+    touched_patches = {}
+    if job.input.adhesion:
+        touched_patches = fewest_touched_patches(read_dataset(job.input.adhesion))
+    forces_by_surface = concatenate(read_by_key(params["maps"], job.input.forces), "map")
+    sensitivities = {}
+    for (surface,), forces in forces_by_surface.items():
+        parts = parts_of_maps(forces, radius, rho, touched_patches.get(surface, np.inf))
+        sensitivities[(surface,)] = octave_sensitivities(forces, parts, confidence)
     sensitivity = stack(sensitivities, ["surface"]).sortby("octave")
     job.write(
         add_surface_names(sensitivity, params).assign_attrs(confidence=confidence, rho=rho),

@@ -10,7 +10,5 @@ with run_job(snakemake) as job:
     # The spectra of descriptions get the form of measured spectra.
     for surface, path in params["descriptions"].items():
         spectra[surface] = convert_described_spectrum(spectra[surface], path)
-    job.write(
-        stack_spectra(spectra, params["labels"]),
-        title="power spectral densities of all surfaces, measured or described",
-    )
+    all_spectra = stack_spectra(spectra, params["labels"])
+    job.write(all_spectra, title="power spectral densities of all surfaces, measured or described")

@@ -7,19 +7,19 @@ from hardcontact.surfaces.topography import measured_roughness, topography_datas
 
 with run_job(snakemake) as job:
     params = job.parameters
-    scan_paths = zip(params["scan_ids"], job.input.scans, strict=True)
     attributes = params["attributes"]
+    scans = {}
+    for scan_id, path in zip(params["scan_ids"], job.input.scans, strict=True):
+        scans[tuple(scan_id)] = measured_roughness(load_height_map(path))
     topography = topography_dataset(
-        scans={tuple(key): measured_roughness(load_height_map(path)) for key, path in scan_paths},
+        scans=scans,
         spectra=read_by_name(params["surfaces"], job.input.spectra),
         conditionings=read_by_name(params["conditioned"], job.input.conditionings),
         examples=read_by_name(params["surfaces"], job.input.examples),
         confidence=attributes["confidence"],
     )
+    topography = add_surface_names(topography, attributes)
+    topography.attrs |= {name: attributes[name] for name in ("sphere_surface", "reference_surface")}
     job.write(
-        add_surface_names(topography, attributes).assign_attrs(
-            sphere_surface=attributes["sphere_surface"],
-            reference_surface=attributes["reference_surface"],
-        ),
-        title="topography of all surfaces: rms metrics and power spectral densities",
+        topography, title="topography of all surfaces: rms metrics and power spectral densities"
     )

@@ -7,13 +7,13 @@ from hardcontact.paper.classical_comparison import apply_classical_models
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
-    job.write(
-        apply_classical_models(
-            read_dataset(job.input.fit),
-            published.read_constants(job.input.published_constants)["value"].to_dict(),
-            published.read_table1(job.input.published_table1),
-            published.read_published_forces(job.input.published_pull_off, dtype=str),
-            Sampling.from_parameters(job.parameters, "classical"),
-        ),
-        title="effective work of adhesion, and classical models of rough adhesion",
+    constants = published.read_constants(job.input.published_constants)
+    comparison = apply_classical_models(
+        read_dataset(job.input.fit),
+        constants["value"].to_dict(),
+        published.read_table1(job.input.published_table1),
+        published.read_published_forces(job.input.published_pull_off, dtype=str),
+        Sampling.from_parameters(job.parameters, "classical"),
     )
+    title = "effective work of adhesion, and classical models of rough adhesion"
+    job.write(comparison, title)

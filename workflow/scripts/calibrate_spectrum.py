@@ -6,13 +6,8 @@ from hardcontact.surfaces.substitute_spectra import substitute_spectrum
 
 with run_job(snakemake) as job:
     surface_name = job.parameters["surface"]
-    job.write(
-        substitute_spectrum(
-            job.input.description,
-            published.rows_of_surface(
-                published.read_table1(job.input.published_table1), surface_name
-            ),
-            published.read_constants(job.input.published_constants),
-        ),
-        title=f"power spectral density of the substitute for {surface_name}",
-    )
+    table1 = published.read_table1(job.input.published_table1)
+    rows = published.rows_of_surface(table1, surface_name)
+    constants = published.read_constants(job.input.published_constants)
+    spectrum = substitute_spectrum(job.input.description, rows, constants)
+    job.write(spectrum, title=f"power spectral density of the substitute for {surface_name}")

@@ -13,7 +13,5 @@ with run_job(snakemake) as job:
         substrate=load_height_map(job.input.substrate),
         sphere=load_height_map(job.input.sphere),
     )
-    job.write(
-        combined_map.to_dataset(),
-        title="roughness of a substrate and of the sphere, with mirror images, periodic",
-    )
+    title = "roughness of a substrate and of the sphere, with mirror images, periodic"
+    job.write(combined_map.to_dataset(), title)

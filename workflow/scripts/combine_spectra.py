@@ -5,7 +5,6 @@ from hardcontact.records.job import run_job
 from hardcontact.scans.both_bodies import combine_spectra
 
 with run_job(snakemake) as job:
-    job.write(
-        combine_spectra(read_dataset(job.input.substrate), read_dataset(job.input.sphere)),
-        title=f"power spectral density of {job.parameters['surface']} and of the sphere",
-    )
+    substrate, sphere = read_dataset(job.input.substrate), read_dataset(job.input.sphere)
+    title = f"power spectral density of {job.parameters['surface']} and of the sphere"
+    job.write(combine_spectra(substrate, sphere), title)

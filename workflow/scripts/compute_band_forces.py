@@ -13,7 +13,7 @@ from hardcontact.surfaces.substitutes import read_substitute
 
 with run_job(snakemake) as job:
     params = job.parameters
-    surface_numbers = params["surface_numbers"]
+    numbers = params["surface_numbers"]
     compute_forces = make_force_function(Contact(**params["contact"]))
     substitute = read_substitute(
         params["surface"], job.input.substitute, params["scan_grid"], params["seed"]
@@ -24,13 +24,11 @@ with run_job(snakemake) as job:
         "computed": mean_band(read_dataset(job.input.edges)),
     }
     forces = {}
-    for number in progress(surface_numbers, len(surface_numbers), "surfaces"):
+    for number in progress(numbers, len(numbers), "surfaces"):
         surface = whole_surface(
             substitute, params["has_features"], job.input.description, number, **params["grid"]
         )
         band_forces = band_force_dataset(surface, bands, compute_forces)
         forces[(number,)] = band_forces.assign_attrs(period=surface.size)
-    job.write(
-        stack(forces, ["map"]),
-        title=f"pull-off forces of {params['surface']} with a part of the roughness",
-    )
+    title = f"pull-off forces of {params['surface']} with a part of the roughness"
+    job.write(stack(forces, ["map"]), title)

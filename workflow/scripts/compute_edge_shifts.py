@@ -11,7 +11,5 @@ with run_job(snakemake) as job:
     sampling = Sampling.from_parameters(params["sampling"])
     forces = read_master_forces(params["surfaces"], job.input.master_forces)
     edge_shifts = compute_edge_shifts(forces, params["tolerance"], sampling)
-    job.write(
-        add_surface_names(edge_shifts, params),
-        title="short edges of plastic and rigid contact at two ranges of adhesion",
-    )
+    title = "short edges of plastic and rigid contact at two ranges of adhesion"
+    job.write(add_surface_names(edge_shifts, params), title)

@@ -8,20 +8,17 @@ from hardcontact.surfaces.substitutes import read_substitute
 
 with run_job(snakemake) as job:
     params = job.parameters
-    numbers = range(params["first"], params["last"] + 1)
+    features = params["features"]
     substitute = read_substitute(
         params["surface"], job.input.substitute, params["scan_grid"], params["seed"]
     )
     candidates = compute_candidates(
-        params["features"],
-        numbers,
+        features,
+        range(params["first"], params["last"] + 1),
         featured_surface(substitute),
         params["scan_count"],
         Contact(**params["contact"]),
         params["ranges"],
     )
-    job.write(
-        candidates,
-        title=f"pull-off forces on surfaces of {params['surface']} with features: "
-        f"{params['features']}",
-    )
+    title = f"pull-off forces on surfaces of {params['surface']} with features: {features}"
+    job.write(candidates, title)

@@ -20,9 +20,10 @@ with run_job(snakemake) as job:
         Contact(radius=radii[0], **contact_grid, **loading) for loading in params["loadings"]
     ]
     sphere = load_height_map(job.input.sphere) if job.input.sphere else None
+    sides = [side for side in SIDES if side in params["sides"]]
     forces = {}
     for index, realization in enumerate(params["realization_numbers"]):
-        for side in (side for side in SIDES if side in params["sides"]):
+        for side in sides:
             settings = params["sides"][side]
             if master_paths := job.input.get(f"{side}_masters"):
                 master = load_height_map(master_paths[index])
@@ -40,7 +41,5 @@ with run_job(snakemake) as job:
             forces[realization, side] = filtered_pull_off(
                 master, filters, contacts, sphere, radii, ranges
             )
-    job.write(
-        stack(forces, ["realization", "side"]),
-        title=f"pull-off of filtered masters of {surface_name}",
-    )
+    title = f"pull-off of filtered masters of {surface_name}"
+    job.write(stack(forces, ["realization", "side"]), title)

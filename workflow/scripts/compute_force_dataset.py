@@ -20,14 +20,16 @@ with run_job(snakemake) as job:
     params = job.parameters
     tolerance, confidence = params["tolerance"], params["confidence"]
     contact = Contact(**params["contact"])
-    adhesion, topography = read_dataset(job.input.adhesion), read_dataset(job.input.topography)
-    touched_patches = fewest_touched_patches(adhesion)
-    master_scans = MasterScans(params["scan_counts"], params["tiles"], touched_patches)
+    adhesion = read_dataset(job.input.adhesion)
+    topography = read_dataset(job.input.topography)
+    filtered_forces = read_dataset(job.input.filtered_forces)
     hindcast = read_dataset(job.input.hindcast) if job.input.hindcast else None
     scan_sizes = topography["scan_size"].to_series().to_dict()
     scan_forces = forces_on_scans(adhesion, contact, scan_sizes, confidence)
+    touched_patches = fewest_touched_patches(adhesion)
+    master_scans = MasterScans(params["scan_counts"], params["tiles"], touched_patches)
     extrapolated_forces = find_extrapolated_forces(
-        read_dataset(job.input.filtered_forces), master_scans, contact.work, confidence
+        filtered_forces, master_scans, contact.work, confidence
     )
     # Both forces are compared before pixels and hindcast widen the intervals.
     force = add_extrapolated_force(scan_forces, extrapolated_forces, tolerance)
@@ -35,9 +37,5 @@ with run_job(snakemake) as job:
     force = bound_by_smooth_sphere(force, contact.area)
     force = add_closed_form(force, read_dataset(job.input.spectra), contact)
     force = add_sizes(force, topography, contact)
-    job.write(
-        force.assign(
-            contacts_needed=contacts_needed(adhesion["pull_off_force"], tolerance, confidence)
-        ),
-        title="pull-off forces on the surfaces",
-    )
+    needed = contacts_needed(adhesion["pull_off_force"], tolerance, confidence)
+    job.write(force.assign(contacts_needed=needed), title="pull-off forces on the surfaces")

@@ -14,10 +14,7 @@ with run_job(snakemake) as job:
     # Longer waves of the mirrored scan are not in the scan, so octaves end at its size.
     scan_size = mirrored.size / 2
     limits = octave_limits(2 * mirrored.pixel_size, scan_size)
+    forces = octave_force_dataset(mirrored, limits, compute_forces)
     # The dimension `map` holds whole surfaces in studies of substitutes, and scans here.
-    job.write(
-        octave_force_dataset(mirrored, limits, compute_forces)
-        .expand_dims(map=[params["scan"]])
-        .assign_attrs(map_size=scan_size),
-        title="pull-off forces of one scan with each octave changed",
-    )
+    forces = forces.expand_dims(map=[params["scan"]]).assign_attrs(map_size=scan_size)
+    job.write(forces, title="pull-off forces of one scan with each octave changed")

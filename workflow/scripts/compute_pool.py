@@ -12,11 +12,8 @@ with run_job(snakemake) as job:
         params["surface"], job.input.substitute, params["scan_grid"], params["seed"]
     )
     contact = Contact(**params["contact"])
-    rms_heights = pool_rms_heights(
-        required_targets(substitute), params["scan_count"], params["rms_height_count"]
-    )
-    job.write(
-        compute_pool(scan_numbers, substitute, rms_heights, contact, params["ranges"]),
-        title=f"pull-off forces of scans {scan_numbers[0]} to {scan_numbers[-1]} "
-        f"of the pool of {params['surface']}",
-    )
+    targets = required_targets(substitute)
+    rms_heights = pool_rms_heights(targets, params["scan_count"], params["rms_height_count"])
+    pool = compute_pool(scan_numbers, substitute, rms_heights, contact, params["ranges"])
+    numbers = f"{scan_numbers[0]} to {scan_numbers[-1]}"
+    job.write(pool, title=f"pull-off forces of scans {numbers} of the pool of {params['surface']}")

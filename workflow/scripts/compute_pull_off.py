@@ -10,16 +10,12 @@ with run_job(snakemake) as job:
     params = job.parameters
     contact = Contact(**params["contact"])
     substrate = load_height_map(job.input.substrate)
-    spheres = [
-        sphere
-        for path in job.input.spheres
-        for sphere in spheres_at_positions(load_height_map(path), params["positions_per_row"])
-    ]
+    spheres = []
+    for path in job.input.spheres:
+        spheres += spheres_at_positions(load_height_map(path), params["positions_per_row"])
     all_bodies = {
         number: join_bodies(substrate, sphere, contact)
         for number, sphere in zip(params["sphere_positions"], spheres or [None], strict=True)
     }
-    job.write(
-        pull_off_with_checks(all_bodies, contact, params["ranges"]),
-        title="pull-off forces of one substrate scan on all scans of the sphere",
-    )
+    forces = pull_off_with_checks(all_bodies, contact, params["ranges"])
+    job.write(forces, title="pull-off forces of one substrate scan on all scans of the sphere")

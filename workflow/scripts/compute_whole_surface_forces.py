@@ -1,7 +1,4 @@
-"""Forces on whole substitute surfaces: at several ranges, and with each octave changed.
-
-The ranges are those from SHORTEST_WHOLE_RANGE on; outside the paper's study, that of the study.
-"""
+"""Forces on whole substitute surfaces: at several ranges, and with each octave changed."""
 
 from hardcontact.base.dataset import stack
 from hardcontact.base.progress import progress
@@ -13,18 +10,16 @@ from hardcontact.surfaces.substitutes import read_substitute
 
 with run_job(snakemake) as job:
     params = job.parameters
-    surface_numbers = params["surface_numbers"]
+    numbers = params["surface_numbers"]
     contact = Contact(**params["contact"])
     substitute = read_substitute(
         params["surface"], job.input.substitute, params["scan_grid"], params["seed"]
     )
     forces = {}
-    for number in progress(surface_numbers, len(surface_numbers), "surfaces"):
+    for number in progress(numbers, len(numbers), "surfaces"):
         surface = whole_surface(
             substitute, params["has_features"], job.input.description, number, **params["grid"]
         )
         forces[(number,)] = whole_surface_forces(surface, contact, params["ranges"])
-    job.write(
-        stack(forces, ["map"]),
-        title=f"pull-off forces on whole surfaces of {params['surface']}",
-    )
+    title = f"pull-off forces on whole surfaces of {params['surface']}"
+    job.write(stack(forces, ["map"]), title)

@@ -12,15 +12,12 @@ from hardcontact.records.job import run_job
 with run_job(snakemake) as job:
     params = job.parameters
     datasets = {name: read_dataset(job.input[name]) for name in params["datasets"]}
-    claims = judge_claims(
-        read_claims(job.input.claims),
-        datasets,
-        published.read_constants(job.input.published_constants),
-        params["confidence"],
-        read_dataset(job.input.sets),
-    )
-    substrates = datasets["edges"]["surface"].values.tolist()
+    constants = published.read_constants(job.input.published_constants)
     table1 = published.read_table1(job.input.published_table1)
+    sets = read_dataset(job.input.sets)
+    claims = read_claims(job.input.claims)
+    claims = judge_claims(claims, datasets, constants, params["confidence"], sets)
+    substrates = datasets["edges"]["surface"].values.tolist()
     if changed_inputs(params["contact_inputs"], substrates, table1):
         claims = claims.assign(verdict="", agreeing_share=math.nan)
     job.write_text(claims.to_csv(index=False, float_format="%.6g"), "claims")

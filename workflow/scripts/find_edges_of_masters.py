@@ -6,11 +6,9 @@ from hardcontact.inference.edges import edges_of_masters, labelled_edges
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
-    params = job.parameters
+    tolerance = job.parameters["tolerance"]
+    sampling = Sampling.from_parameters(job.parameters["sampling"])
     filtered_forces = read_dataset(job.input.filtered_forces)
-    sampling = Sampling.from_parameters(params["sampling"])
-    edges, _ = edges_of_masters(filtered_forces, params["tolerance"], sampling)
-    job.write(
-        labelled_edges(edges, filtered_forces, params["tolerance"], sampling.confidence),
-        title="pull-off force against cutoff wavelength, and the edges of the band",
-    )
+    edges, _ = edges_of_masters(filtered_forces, tolerance, sampling)
+    edges = labelled_edges(edges, filtered_forces, tolerance, sampling.confidence)
+    job.write(edges, title="pull-off force against cutoff wavelength, and the edges of the band")

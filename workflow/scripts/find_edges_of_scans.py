@@ -8,16 +8,11 @@ from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters
+    tolerance, confidence = params["tolerance"], params["confidence"]
     filtered_forces = read_dataset(job.input.filtered_forces)
+    hindcast = read_dataset(job.input.hindcast) if job.input.hindcast else None
     touched_patches = fewest_touched_patches(read_dataset(job.input.adhesion))
-    edges = edges_of_scans(
-        filtered_forces,
-        read_dataset(job.input.hindcast) if job.input.hindcast else None,
-        MasterScans(params["scan_counts"], params["tiles"], touched_patches),
-        params["tolerance"],
-        params["confidence"],
-    )
-    job.write(
-        labelled_edges(edges, filtered_forces, params["tolerance"], params["confidence"]),
-        title="pull-off force against cutoff wavelength, and the edges of the band",
-    )
+    master_scans = MasterScans(params["scan_counts"], params["tiles"], touched_patches)
+    edges = edges_of_scans(filtered_forces, hindcast, master_scans, tolerance, confidence)
+    edges = labelled_edges(edges, filtered_forces, tolerance, confidence)
+    job.write(edges, title="pull-off force against cutoff wavelength, and the edges of the band")

@@ -11,7 +11,5 @@ with run_job(snakemake) as job:
     exponents = fit_exponents(
         forces, params["contact_area"], params["tolerance"], params["confidence"]
     )
-    job.write(
-        add_surface_names(exponents, params),
-        title="exponents of the pull-off force and of the edges of the band",
-    )
+    exponents = add_surface_names(exponents, params)
+    job.write(exponents, title="exponents of the pull-off force and of the edges of the band")

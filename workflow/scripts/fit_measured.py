@@ -9,17 +9,15 @@ from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     adhesion = read_dataset(job.input.adhesion)
-    surfaces = adhesion["surface"].values.tolist()
     force = read_dataset(job.input.force)
-    scan_sizes = read_dataset(job.input.topography)["scan_size"].to_series().to_dict()
+    topography = read_dataset(job.input.topography)
+    surfaces = adhesion["surface"].values.tolist()
     fitted = fit_measured(
         adhesion,
         read_forces(job.input.forces, surfaces, adhesion.attrs["sphere_radius"]),
-        scan_sizes,
+        topography["scan_size"].to_series().to_dict(),
         surface_pixel_factors(force).to_series().to_dict(),
         Sampling.from_parameters(job.parameters),
     )
-    job.write(
-        add_extrapolated_work(fitted, force),
-        title="range and work of adhesion from measured forces",
-    )
+    fitted = add_extrapolated_work(fitted, force)
+    job.write(fitted, title="range and work of adhesion from measured forces")

@@ -14,13 +14,11 @@ with run_job(snakemake) as job:
     sets = read_dataset(job.input.sets).sel(contact_model=PLASTIC)
     map_forces = read_by_key(params["whole_surfaces"], job.input.whole_surfaces)
     plastic_forces = {
-        key: forces[["pull_off_force"]].sel(contact_model=PLASTIC)
-        for key, forces in concatenate(map_forces, "map").items()
+        surface: forces[["pull_off_force"]].sel(contact_model=PLASTIC)
+        for surface, forces in concatenate(map_forces, "map").items()
     }
-    whole_surface_forces = (
-        stack(plastic_forces, ["surface"])["pull_off_force"] if plastic_forces else None
-    )
-    job.write(
-        posterior_dataset(sets, whole_surface_forces, published_forces, sampling),
-        title="range and work of adhesion that explain the published forces",
-    )
+    whole_surface_forces = None
+    if plastic_forces:
+        whole_surface_forces = stack(plastic_forces, ["surface"])["pull_off_force"]
+    posterior = posterior_dataset(sets, whole_surface_forces, published_forces, sampling)
+    job.write(posterior, title="range and work of adhesion that explain the published forces")

@@ -6,13 +6,10 @@ from hardcontact.inference.published_fit import PublishedForces, fit_published
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
-    params = job.parameters
-    job.write(
-        fit_published(
-            read_dataset(job.input.adhesion),
-            PublishedForces.read(job.input.published_pull_off, job.input.published_constants),
-            params["reference_surface"],
-            Sampling.from_parameters(params["sampling"]),
-        ),
-        title="range and work of adhesion and force statistics",
+    fit = fit_published(
+        read_dataset(job.input.adhesion),
+        PublishedForces.read(job.input.published_pull_off, job.input.published_constants),
+        job.parameters["reference_surface"],
+        Sampling.from_parameters(job.parameters["sampling"]),
     )
+    job.write(fit, title="range and work of adhesion and force statistics")

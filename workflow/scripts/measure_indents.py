@@ -15,7 +15,5 @@ with run_job(snakemake) as job:
         Contact(**params["contact"]),
         params["preloads"],
     )
-    job.write(
-        indents.assign_attrs({name: params[name] for name in ("surface", "label", "source")}),
-        title=f"indents left in the sphere by contacts on {params['label']}",
-    )
+    indents.attrs |= {name: params[name] for name in ("surface", "label", "source")}
+    job.write(indents, title=f"indents left in the sphere by contacts on {params['label']}")

@@ -11,7 +11,5 @@ with run_job(snakemake) as job:
         level_and_list_defects(load_height_map(path), params["sphere_radius"], params["levelling"])
         for path in job.input.measurements
     ]
-    job.write(
-        joined_spectrum(scans, params["tip_radii"]),
-        title="power spectral density of a measured surface, joined from its measurements",
-    )
+    title = "power spectral density of a measured surface, joined from its measurements"
+    job.write(joined_spectrum(scans, params["tip_radii"]), title)

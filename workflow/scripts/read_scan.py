@@ -4,7 +4,5 @@ from hardcontact.records.job import run_job
 from hardcontact.scans.reading import read_scan
 
 with run_job(snakemake) as job:
-    job.write(
-        read_scan(job.input.scan, **job.parameters).to_dataset(),
-        title="heights of a measured scan, as read",
-    )
+    scan = read_scan(job.input.scan, **job.parameters)
+    job.write(scan.to_dataset(), title="heights of a measured scan, as read")

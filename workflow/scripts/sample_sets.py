@@ -13,11 +13,14 @@ from hardcontact.records.job import run_job
 with run_job(snakemake) as job:
     params = job.parameters
     adhesion = read_dataset(job.input.adhesion)
+    constants = published.read_constants(job.input.published_constants)
+    published_forces = PublishedForces.read(
+        job.input.published_pull_off, job.input.published_constants
+    )
     pool_chunks = concatenate(read_by_key(params["pool_chunks"], job.input.pools), "scan")
     pools = {surface: pool for (surface,), pool in pool_chunks.items()}
-    candidates = candidates_by_surface(
-        read_by_key(params["candidate_chunks"], job.input.candidates)
-    )
+    candidate_chunks = read_by_key(params["candidate_chunks"], job.input.candidates)
+    candidates = candidates_by_surface(candidate_chunks)
     inputs = SetInputs(
         topography=read_dataset(job.input.topography),
         adhesion=adhesion,
@@ -28,14 +31,9 @@ with run_job(snakemake) as job:
             params["master_surfaces"], job.input.master_forces, params["loading"]
         ),
     )
+    settings = SetSettings(**params["settings"])
     sets = sample_sets(
-        inputs,
-        pd.DataFrame(params["claims"]),
-        published.read_constants(job.input.published_constants),
-        PublishedForces.read(job.input.published_pull_off, job.input.published_constants),
-        SetSettings(**params["settings"]),
+        inputs, pd.DataFrame(params["claims"]), constants, published_forces, settings
     )
-    job.write(
-        sets.assign_attrs(confidence=params["settings"]["confidence"]),
-        title="numbers of many sets of substitute scans",
-    )
+    sets.attrs["confidence"] = settings.confidence
+    job.write(sets, title="numbers of many sets of substitute scans")

@@ -11,22 +11,18 @@ with run_job(snakemake) as job:
     params = job.parameters
     surface_name = params["surface"]
     contact_scan_indices = params["contact_scan_indices"]
-    spectra = sample_spectra(
-        (
-            generator(params["seed"], surface_name, realization, "drawn spectrum")
-            for realization in range(1, len(job.output) + 1)
-        ),
-        [
-            remove_form(load_height_map(path), params["sphere_radius"], params["levelling"])
-            for path in job.input.measurements
-        ],
-        params["tip_radii"],
+    realizations = range(1, len(job.output) + 1)
+    rngs = (
+        generator(params["seed"], surface_name, realization, "drawn spectrum")
+        for realization in realizations
     )
+    scans = [
+        remove_form(load_height_map(path), params["sphere_radius"], params["levelling"])
+        for path in job.input.measurements
+    ]
+    spectra = sample_spectra(rngs, scans, params["tip_radii"])
     for index, (spectrum, height_factors) in enumerate(spectra):
         # Realizations use the scans in turn, like the masters with which they are compared.
         factor = height_factors[contact_scan_indices[index % len(contact_scan_indices)]]
-        job.write(
-            spectrum_dataset(spectrum.density).assign_attrs(height_factor=factor),
-            title=f"a spectrum that the measurements of {surface_name} allow",
-            output=index,
-        )
+        sampled = spectrum_dataset(spectrum.density).assign_attrs(height_factor=factor)
+        job.write(sampled, f"a spectrum that the measurements of {surface_name} allow", index)

@@ -7,15 +7,11 @@ from hardcontact.surfaces.synthesis import master_generator, synthesize_master
 
 with run_job(snakemake) as job:
     params = job.parameters
-    surface_name = params["surface"]
-    realization = params["realization"]
+    surface_name, realization = params["surface"], params["realization"]
     scan = load_height_map(job.input.scan)
     spectrum = load_spectrum(job.input.spectrum)
     for side, settings in params["sides"].items():
         rng = master_generator(params["seed"], surface_name, realization, side, "master")
         master = synthesize_master(side, rng, scan, settings, spectrum)
-        job.write(
-            master.to_dataset(),
-            title=f"{side}-edge master: realization {realization} of {surface_name}",
-            output=side,
-        )
+        title = f"{side}-edge master: realization {realization} of {surface_name}"
+        job.write(master.to_dataset(), title, side)

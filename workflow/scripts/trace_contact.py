@@ -16,10 +16,6 @@ with run_job(snakemake) as job:
     )
     contact_index = params["contact_index"]
     bodies = read_bodies(job.input.substrate, job.input.sphere, contact)
-    attributes = {name: params[name] for name in ATTRIBUTES}
-    job.write(
-        trace_contact(bodies, contact_index, contact).assign_attrs(
-            attributes, contact=contact_index
-        ),
-        title=f"contact {contact_index} on {params['label']}",
-    )
+    trace = trace_contact(bodies, contact_index, contact)
+    trace.attrs |= {name: params[name] for name in ATTRIBUTES} | {"contact": contact_index}
+    job.write(trace, title=f"contact {contact_index} on {params['label']}")
