@@ -190,9 +190,6 @@ def test_a_mean_over_the_needed_contacts_keeps_the_tolerance():
     means = generator(1, "contacts").choice(forces, (2000, needed)).mean(axis=1)
     is_within = np.abs(means / forces.mean() - 1) < 0.1
     assert needed > 50 and is_within.mean() == pytest.approx(0.9, abs=0.02)
-
-
-def test_a_mean_needs_one_contact_at_least():
     equal_forces = adhesion([3, 1], spread=0.001).pull_off_force
     assert (contacts_needed(equal_forces, 0.1, 0.9) == 1).all()
 

@@ -12,13 +12,10 @@ from hardcontact.commands.request import ScanFile
 from hardcontact.contact.numerical_limits import Extent
 from hardcontact.scans.defects import level_and_list_defects
 from hardcontact.scans.measured_spectrum import isotropic_psd
-from hardcontact.scans.reading import DEFAULT_OPTIONS, ReadingOptions, list_scans
+from hardcontact.scans.reading import ReadingOptions, list_scans
 from hardcontact.scans.reliable_band import ReliableBand, reliable_band
 from hardcontact.scans.scan_pairs import coarse_map, repetition_notes
 from hardcontact.surfaces.height_map import HeightMap
-
-#: How undefined pixels are filled, so that the properties of the scan can be measured.
-FILLING = DEFAULT_OPTIONS.undefined_pixels
 
 
 @dataclass(frozen=True, eq=False)  # A scan equals no other one.

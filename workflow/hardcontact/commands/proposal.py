@@ -9,7 +9,7 @@ import numpy as np
 
 from hardcontact.base.formatting import format_length
 from hardcontact.commands.contact_scans import all_search_sizes, select_contact_scans
-from hardcontact.commands.inventory import FILLING, UserScan
+from hardcontact.commands.inventory import UserScan
 from hardcontact.commands.proposed_contacts import (
     MAX_CONTACT_SECONDS,
     PermittedContact,
@@ -21,6 +21,7 @@ from hardcontact.commands.proposed_contacts import (
 from hardcontact.commands.scan_cautions import scan_cautions
 from hardcontact.config.configuration import quantity_type
 from hardcontact.contact.contact import Contact
+from hardcontact.scans.reading import DEFAULT_OPTIONS
 from hardcontact.scans.reliable_band import LIMIT_NAMES
 from hardcontact.surfaces.spectrum import nearest_bin
 
@@ -111,7 +112,8 @@ def propose_keys(
     ]
     if gaps := sum(scan.undefined_count > 0 for scan in scans):
         reason = f"{gaps} of the files have undefined pixels"
-        full.insert(0, Choice("scan.undefined_pixels", FILLING, reason))
+        filling = DEFAULT_OPTIONS.undefined_pixels
+        full.insert(0, Choice("scan.undefined_pixels", filling, reason))
     cautions = [*scan_cautions(scans, substrates, contact.rho, permitted, search_sizes)]
     return Proposal(contact_scans, full, quick, reasons, cautions)
 

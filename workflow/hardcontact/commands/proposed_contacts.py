@@ -137,7 +137,7 @@ def affordable_contacts(
 ) -> tuple[int, float]:
     """Return the contacts per row that time and memory permit, and their seconds on one surface.
 
-    If not even the fewest contacts fit, these are returned, because the study refuses too many.
+    If not even the fewest contacts fit, these are returned: the study is slow, or refuses them.
     """
     seconds = 0.0
     kept_pixels = 0.0

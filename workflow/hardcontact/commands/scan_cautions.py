@@ -55,7 +55,12 @@ def scan_cautions(
         if not scan.has_reliable_wavelengths:
             yield f"{scan.name}: reliable {scan.reliable_band}"
     yield from _contradiction_cautions(scans)
-    yield from _filling_cautions(scans)
+    for scan in scans:
+        if scan.undefined_share > MAX_UNDEFINED_SHARE:
+            yield (
+                f"{scan.name}: {scan.undefined_share:.0%} of its pixels are undefined, and "
+                "filled with heights smoother than the surface"
+            )
 
 
 def _reading_cautions(scans: Sequence[UserScan]) -> Iterator[str]:
@@ -127,16 +132,6 @@ def single_pixel_cautions(area: float, pixel_sizes: Sequence[float]) -> Iterator
             f"({largest_pixel_area:.3g} nm²): one pixel touches, and hardness and preload do not "
             "matter on the scans"
         )
-
-
-def _filling_cautions(scans: Sequence[UserScan]) -> Iterator[str]:
-    """Yield a sentence on each scan with many undefined pixels."""
-    for scan in scans:
-        if scan.undefined_share > MAX_UNDEFINED_SHARE:
-            yield (
-                f"{scan.name}: {scan.undefined_share:.0%} of its pixels are undefined, and "
-                "filled with heights smoother than the surface"
-            )
 
 
 def _contradiction_cautions(scans: Sequence[UserScan]) -> Iterator[str]:

@@ -47,10 +47,9 @@ FORCE_QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
 def forces_on_scans(
     adhesion: xr.Dataset, contact: Contact, scan_sizes: Mapping[str, float], confidence: float
 ) -> xr.Dataset:
-    """Return the pull-off force of every surface at one work and all ranges of adhesion.
+    """Return the mean force (surface, contact_model, rho) in N over contacts and scans.
 
-    ``force`` (surface, contact_model, rho) in N is the mean over contacts and scans,
-    ``force_quantile`` is of single contacts. `adhesion` is at 1 J/m²; scan sizes are in nm.
+    `adhesion` is at 1 J/m², ``force_quantile`` of single contacts; scan sizes are in nm.
     """
     work, rho = contact.work, contact.rho
     adhesion_at_work = adhesion.assign(pull_off_force=adhesion.pull_off_force * work)
@@ -79,11 +78,7 @@ def forces_on_scans(
 def _force_variables(
     forces: xr.Dataset, forces_by_model: Sequence[SurfaceForces], rho: float, confidence: float
 ) -> xr.Dataset:
-    """Return the variables of one surface, whose `forces` are at the configured work.
-
-    The mean force of a rough sphere may rise or fall by ``position_factor``, depending on where the
-    sphere touches.
-    """
+    """Return the variables of one surface, whose `forces` are at the configured work."""
     mean = np.array([model_forces.mean for model_forces in forces_by_model])
     intervals = [mean_intervals(model_forces, confidence) for model_forces in forces_by_model]
     dimensions = ("contact_model", "rho")
@@ -148,8 +143,7 @@ def add_extrapolated_force(
 ) -> xr.Dataset:
     """Return forces on scans, extrapolated forces, and whether they differ.
 
-    ``extrapolation_matters`` (surface, side) is 1 if both differ by more than the relative
-    tolerance, and the extrapolated force lies outside the interval of the force on the scans.
+    They differ if the change exceeds the tolerance and the interval of the force on the scans.
     """
     scan_force = _plastic_at_range(force, force.attrs["rho"])
     extrapolated = extrapolated_forces.extrapolated_force

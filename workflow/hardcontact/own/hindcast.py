@@ -153,8 +153,7 @@ def hindcast_ratios(forces: xr.Dataset, tolerance: float, confidence: float) -> 
 def hindcast_dataset(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
     """Return `hindcast_ratios`, and two forces relative to the force on the scans.
 
-    ``wide_pixel_ratio`` is on wide pixels, ``filtered_scan_ratio`` without the waves shorter than
-    the outermost octave.
+    ``filtered_scan_ratio`` is without the waves shorter than the outermost octave.
     """
     means = forces.mean(["map", *CONTACT_AXES])
     filtered = means["scan_octave_force"].sel(side="short", drop=True) / means["scan_force"]

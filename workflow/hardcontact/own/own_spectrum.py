@@ -1,8 +1,4 @@
-"""The isotropic spectrum C_iso of the user's surface, from a table or from scans.
-
-Scans give it at their reliable wavelengths alone, because noise, tip and levelling distort the
-others.
-"""
+"""The spectrum C_iso of the user's surface, from a table or from scans at reliable wavelengths."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace

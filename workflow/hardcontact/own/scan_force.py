@@ -1,7 +1,4 @@
-"""The force on the user's only map, summed over its pixels and compared with the closed form.
-
-The sum shows where the closed form fails, because it does not assume Gaussian heights.
-"""
+"""The force on the user's only map, summed over its pixels and compared with the closed form."""
 
 import math
 from collections.abc import Iterator, Sequence

@@ -51,11 +51,7 @@ def is_spectrum_table(path: str | Path) -> bool:
 
 
 def read_spectrum_table(path: str | Path) -> Spectrum:
-    """Return C_iso (nm⁴) of a CSV.
-
-    Its columns are `wavevector` or `wavelength`, `c_iso` or `c_1d`, and the unit of each with the
-    end `_unit`. C_1D is converted by the inverse Abel transform. A C_iso of 0 means no roughness.
-    """
+    """Return C_iso (nm⁴) of a CSV; its C_1D is converted by the inverse Abel transform."""
     table = user_table(path, "a table of a power spectral density")
     wave_column = _find_column(table, WAVE_COLUMNS)
     density_column = _find_column(table, DENSITY_COLUMNS)
