@@ -26,14 +26,11 @@ class NoValue(StrEnum):
     ONE_FORCE = "one_force"  #: One measured force does not determine range and work.
 
 
-#: Names of the edges of the band among the numbers of an answer, by their side.
 EDGE_NAMES = {"short": "short_edge", "long": "long_edge"}
+#: Words by the status of a number.
 _WORDS = yaml.safe_load((TEXTS / "templates/number_words.yaml").read_text("utf-8"))
-#: Words in place of an unknown value, by its status.
 NO_VALUE_WORDS: dict[str, str] = _WORDS["no_value"]
-#: Words after a value without an interval, by its status.
 NO_INTERVAL_WORDS: dict[str, str] = _WORDS["no_interval"]
-#: Words before a value that is a bound, by its status.
 OPEN_WORDS: dict[str, str] = _WORDS["open"]
 
 

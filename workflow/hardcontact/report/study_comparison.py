@@ -24,18 +24,14 @@ from hardcontact.surfaces.metrics import TABLE1_METRICS
 
 #: Digits to which equal numbers agree. Processors with other kernels move numbers by up to 1.7e-10.
 EQUAL_DIGITS = 8
-#: Sources of numbers that are inputs of a study, not results.
 INPUT_SOURCES = ("given", "assumed", "file")
 #: Statuses of numbers whose interval has no low end.
 NO_LOW_END = (EdgeStatus.OPEN_BELOW, NumberStatus.INTERVAL_OPEN_LOW, *NO_INTERVAL_WORDS)
 #: Statuses of numbers whose interval has no high end.
 NO_HIGH_END = (EdgeStatus.OPEN_ABOVE, NumberStatus.INTERVAL_OPEN_HIGH, *NO_INTERVAL_WORDS)
-#: Numbers that answer the question; they come first.
 MAIN_NUMBERS = re.compile("(short|long)_edge(_first)?|mean_force|(range|work)_of_adhesion")
-#: Numbers beside the answer, by the beginning or end of their names; they come last.
 MINOR_NUMBERS = re.compile("(bumps|pits|gaussian|verdicts)_.*|.*_(scatter|agreeing_share)")
 
-#: Datasets of a study with sets of scans.
 SET_DATASETS = ("sets", "topography", "filtered_forces", "features")
 #: Parameters of sets.nc that decide which scans and masters a set has.
 SAMPLING_PARAMETERS = ("pool_chunks", "candidate_chunks", "master_surfaces", "master_pool_size")

@@ -14,14 +14,12 @@ from matplotlib.patches import Patch
 from hardcontact.base.formatting import format_length, format_share
 from hardcontact.report.figures import drawing, panels, style
 
-#: Title of the panel with the cutoffs of each side of the band.
 TITLES = {
     "short": "roughness below the cutoff removed",
     "long": "roughness above the cutoff removed",
 }
 EDGE_LOOK: style.Look = {"ls": "none", "marker": "o", "mfc": "white", "mew": 1.3, "ms": 5.5}
-#: Lowest and highest change drawn, in tolerances: on a longer axis the strip of changes within the
-#: tolerance would be thin.
+#: Lowest and highest change drawn, in tolerances, because the tolerance is a strip of the axis.
 SHOWN_TOLERANCES = (-3, 7)
 
 
@@ -54,8 +52,7 @@ def _draw_side(axes: Axes, edges: xr.Dataset) -> None:
     ratio = ratio.dropna("cutoff_wavelength", how="all")
     low, high = axes.get_ylim()
     is_shown = (low < ratio["value"]) & (ratio["value"] < high)
-    # Ratios beyond the y axis have no bars. Those next to a shown cutoff stay, so that curves leave
-    # the frame.
+    # Ratios beyond the y axis have no bars; some stay, so that curves leave the frame.
     ratio = ratio.assign(ratio[["low", "high"]].where(is_shown))
     neighbours = is_shown.any("surface").rolling(cutoff_wavelength=3, center=True, min_periods=1)
     ratio = ratio.where(neighbours.max() > 0, drop=True)

@@ -10,7 +10,6 @@ from hardcontact.base.formatting import format_share
 from hardcontact.base.published import PUBLISHED_TABLES
 from hardcontact.report import TEXTS
 
-#: Files of each figure.
 FILE_KINDS = ("pdf", "png", "svg")
 
 
@@ -27,10 +26,8 @@ class Description:
 
 
 _LISTED = yaml.safe_load((TEXTS / "figures.yaml").read_text("utf-8"))
-#: Figures about the statements of the paper.
 PAPER_FIGURES = tuple(_LISTED["paper"])
-#: Figures of the user's surfaces; "works" needs measured forces.
-OWN_FIGURES = tuple(_LISTED["own"])
+OWN_FIGURES = tuple(_LISTED["own"])  #: "works" needs measured forces.
 
 
 def describe_figure(name: str) -> Description:

@@ -20,8 +20,7 @@ OCTAVE_SHARE = 0.84  # of an octave that its bars cover
 SPHERE_SHARE_LOOK: Look = {"color": style.SPHERE_COLOUR, "lw": 0}  # of the bar of an octave
 UNCHANGED_LOOK: Look = {"color": "0.88", "lw": 0}  # of changes of the force that do not count
 RATIO_BAR_OPACITY = 0.45  # many opaque bars would hide the symbols
-#: Largest end of the y axis relative to the largest bar. Longer intervals are cut, because the bars
-#: would be too small beside them.
+#: Largest end of the y axis relative to the largest bar, which longer intervals would make small.
 MAX_AXIS_OVER_BAR = 2.0
 CUT_LOOK: Look = {"color": "0.25", "ms": 3.5, "mew": 0, "clip_on": False, "zorder": 4}
 #: Share of the sets of substitutes between `low` and `high`: the middle of all sets.

@@ -28,7 +28,6 @@ from hardcontact.scans.both_bodies import sphere_share
 from hardcontact.scans.reliable_band import LIMIT_NAMES, MIN_PIXELS, MIN_WAVES_IN_SIZE, OTHER_BODY
 from hardcontact.surfaces.metrics import METRICS
 
-#: Names of the range and the work of adhesion among the inputs of contacts.
 RANGE_NAME = "range of adhesion"
 WORK_NAME = "work of adhesion"
 #: Limits, and their names, that templates show.
@@ -36,7 +35,6 @@ LIMITS = {
     "min_pixels": MIN_PIXELS, "min_waves": MIN_WAVES_IN_SIZE, "nearly_all": edges.NEARLY_ALL,
     "limit_names": LIMIT_NAMES,
 }  # fmt: skip
-#: Metrics of a scan, of `METRICS`.
 SHOWN_METRICS = (
     "rms_height", "rms_gradient", "rms_half_laplacian", "peak_to_valley", "skewness", "kurtosis",
 )  # fmt: skip

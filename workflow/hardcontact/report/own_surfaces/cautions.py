@@ -37,8 +37,7 @@ MIN_CONTACT_PIXELS = 10
 MAX_LOPSIDEDNESS = 2.0
 #: Pixels in the shortest wavelength that a scan resolves, by the sampling theorem.
 NYQUIST_PIXELS = 2
-#: Largest ratio of added power to the power in the scans without a caution. The choice of 2 lets
-#: amplitudes differ by up to 1.4.
+#: Largest ratio of added power to the power in the scans without a caution: a choice.
 MAX_POWER_RATIO = 2.0
 #: Codes of defects that change the highest points, and thus the force.
 MISLEADING_DEFECTS = frozenset({"spikes", "equal_lines", "highest"})

@@ -43,13 +43,13 @@ class Datasets(NamedTuple):
 class Setting(NamedTuple):
     """The settings of a study that its datasets do not hold."""
 
-    study: str  #: Its name.
+    study: str
     effort: str  #: full or quick.
     #: Inputs of the contacts as printed, such as "radius of the sphere": "250 µm".
     contact_words: Mapping[str, str]
     #: Names of those inputs that have the paper's value, because the user gave none.
     assumed: Sequence[str]
-    version: str  #: Version of the software.
+    version: str
     #: Pairs of range and work of adhesion, rows of resources/adhesion/pairs.csv.
     pairs: Sequence[Mapping[str, Any]]
 

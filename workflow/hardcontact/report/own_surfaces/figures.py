@@ -26,7 +26,6 @@ from hardcontact.report.own_surfaces.datasets import (
 )
 from hardcontact.scans.both_bodies import sphere_share
 
-#: Label and look of the curve for each side of the band.
 SIDE_LOOKS: dict[str, tuple[str, style.Look]] = {
     "short": ("without shorter wavelengths", {"ls": "-", "marker": "o"}),
     "long": ("without longer wavelengths", {"ls": "--", "marker": "s"}),
@@ -39,7 +38,6 @@ JOINED_LOOK: style.Look = {"color": "black", "ls": ":", "lw": 1.8, "zorder": 3}
 FITS_ALL_LOOK: style.Look = {"color": "0.3", "ls": "--", "marker": "", "label": "fits all"}
 #: Most measurements with unreliable parts of spectra drawn: more curves hide each other.
 MAX_UNRELIABLE_CURVES = 3
-#: Approximate number of symbols on a curve.
 SYMBOLS_PER_CURVE = 12
 #: Dots per inch of height maps, which make up most of the size of a page.
 MAP_DOTS_PER_INCH = 72

@@ -28,7 +28,6 @@ from hardcontact.report.quantities import NoValue, number_of, number_without_val
 from hardcontact.surfaces.spectrum import spectrum_of_dataset
 from hardcontact.surfaces.synthesis import SIDES
 
-#: Wavevectors per octave at which a spectrum is integrated.
 WAVEVECTORS_PER_OCTAVE = 33
 
 
