@@ -1,11 +1,8 @@
 """Fig. 6: length scales of roughness that change the pull-off force."""
 
-from collections.abc import Sequence
-
 import numpy as np
 import pandas as pd
 import xarray as xr
-from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -41,7 +38,18 @@ def draw(
         style.label_panel(axes, letter, TITLES[side])
     rho = filtered_forces.attrs["rho"]
     both_axes[0].set_ylabel(f"force / unfiltered force\n(range of adhesion {rho:g} nm)")
-    style.legend_above(figure, _legend_handles(edges, published_edges))
+    confidence = format_share(edges.attrs["confidence"])
+    tolerance = format_share(edges.attrs["tolerance"])
+    edge_words = " and ".join(format_length(edge) for edge in published_edges)
+    handles = [
+        *style.surface_handles(edges),
+        Line2D([], [], color="0.6", lw=0.7, label=f"{confidence} interval (bars)"),
+        Patch(label=f"change below {tolerance}", **panels.UNCHANGED_LOOK),
+        Line2D([], [], label=f"edge: first change by {tolerance} from 1", mec="0.3", **EDGE_LOOK),
+        Line2D([], [], label=f"published edges: {edge_words}", **style.PUBLISHED_LENGTH),
+        Patch(label="artificial roughness", **style.HATCHED_LOOK),
+    ]
+    style.legend_above(figure, handles)
     return figure
 
 
@@ -63,18 +71,3 @@ def _draw_side(axes: Axes, edges: xr.Dataset) -> None:
             change = np.interp(edge, curve["cutoff_wavelength"], curve) - 1
             height = 1 + np.copysign(tolerance, change)
             axes.plot(edge, height, mec=look["color"], zorder=5, **EDGE_LOOK)
-
-
-def _legend_handles(edges: xr.Dataset, published_edges: Sequence[float]) -> list[Artist]:
-    """Return one entry per surface and one for each kind of line."""
-    confidence = format_share(edges.attrs["confidence"])
-    tolerance = format_share(edges.attrs["tolerance"])
-    published = " and ".join(format_length(edge) for edge in published_edges)
-    return [
-        *style.surface_handles(edges),
-        Line2D([], [], color="0.6", lw=0.7, label=f"{confidence} interval (bars)"),
-        Patch(label=f"change below {tolerance}", **panels.UNCHANGED_LOOK),
-        Line2D([], [], label=f"edge: first change by {tolerance} from 1", mec="0.3", **EDGE_LOOK),
-        Line2D([], [], label=f"published edges: {published}", **style.PUBLISHED_LENGTH),
-        Patch(label="artificial roughness", **style.HATCHED_LOOK),
-    ]

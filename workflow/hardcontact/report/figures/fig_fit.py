@@ -3,7 +3,6 @@
 import numpy as np
 import pandas as pd
 import xarray as xr
-from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
@@ -35,23 +34,17 @@ def draw(fit: xr.Dataset, sets: xr.Dataset, published_constants: pd.DataFrame) -
     curves, error_map = figure.subplots(1, 2)
     _draw_smallest_error(curves, fit, sets.sel(contact_model=PLASTIC))
     _draw_error_map(error_map, plastic_fit, published_constants)
-    style.legend_above(figure, _legend_handles(curves, fit, published_constants))
-    for axes in (curves, error_map):
-        panels.finish_range_axis(axes, plastic_fit["rho"].values, published_constants)
-    return figure
-
-
-def _legend_handles(
-    curves: Axes, fit: xr.Dataset, published_constants: pd.DataFrame
-) -> list[Artist]:
-    """Return the legend entries of the curves and of lines that several panels share."""
     published = published_constants["value"]["range_of_adhesion"]
     interval = f"{format_share(fit.attrs['confidence'])} interval"
-    return [
+    handles = [
         *style.legend_entries([curves]).values(),
         Line2D([], [], marker="|", ms=9, ls="none", label=interval, color="black"),
         Line2D([], [], label=f"published range, ρ = {published:g} nm", **style.PUBLISHED_LENGTH),
     ]
+    style.legend_above(figure, handles)
+    for axes in (curves, error_map):
+        panels.finish_range_axis(axes, plastic_fit["rho"].values, published_constants)
+    return figure
 
 
 def _draw_smallest_error(axes: Axes, fit: xr.Dataset, set_fits: xr.Dataset) -> None:

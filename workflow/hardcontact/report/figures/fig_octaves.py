@@ -3,7 +3,6 @@
 import numpy as np
 import pandas as pd
 import xarray as xr
-from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -37,7 +36,14 @@ def draw(
         band_edges = [format_quantity(edge, "nm", digits=2) for edge in ratios["band_edge"].values]
         style.label_panel(axes, letter, f"{title}: {' to '.join(band_edges)}")
     ratio_axes[0].set_ylabel("force / unfiltered force")
-    style.legend_above(figure, _legend_handles(sensitivity, tolerance))
+    confidence = format_share(sensitivity.attrs["confidence"])
+    handles = [
+        *style.surface_handles(sensitivity),
+        Line2D([], [], lw=1.0, color="0.25", label=f"{confidence} interval (bars)"),
+        Patch(label="published band (a)", **PUBLISHED_BAND_LOOK),
+        Patch(label=f"change below {format_share(tolerance)} (b, c)", **panels.UNCHANGED_LOOK),
+    ]
+    style.legend_above(figure, handles)
     return figure
 
 
@@ -52,14 +58,3 @@ def _draw_band_ratios(axes: Axes, ratios: xr.Dataset, tolerance: float) -> None:
         panels.draw_bars(axes, positions + shift, curve, ls="none", width=0.9, **look)
     axes.set_xticks(positions, band_parts)
     axes.set_xlim(-0.5, len(band_parts) - 0.5)
-
-
-def _legend_handles(sensitivity: xr.Dataset, tolerance: float) -> list[Artist]:
-    """Return one entry per surface and one for each kind of mark."""
-    confidence = format_share(sensitivity.attrs["confidence"])
-    return [
-        *style.surface_handles(sensitivity),
-        Line2D([], [], lw=1.0, color="0.25", label=f"{confidence} interval (bars)"),
-        Patch(label="published band (a)", **PUBLISHED_BAND_LOOK),
-        Patch(label=f"change below {format_share(tolerance)} (b, c)", **panels.UNCHANGED_LOOK),
-    ]

@@ -6,7 +6,6 @@ import matplotlib as mpl
 import numpy as np
 import pandas as pd
 import xarray as xr
-from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -48,7 +47,14 @@ def draw(
     maps = filtered_heights(scan, band)
     _draw_maps(map_axes, scan, maps)
     _draw_profiles(profile_axes, scan, maps, filtered_forces.attrs["sphere_radius"], colour)
-    style.legend_above(figure, _legend_handles(topography, band))
+    short, long = (format_length(edge) for edge in band)
+    handles = [
+        *style.surface_handles(topography),
+        Patch(label=f"published band, {short} to {long}", **BAND_LOOK),
+        Line2D([], [], color="0.3", marker="o", label="mean of the scans", **SCAN_LOOK),
+        Patch(label="artificial roughness (dashed)", **style.HATCHED_LOOK),
+    ]
+    style.legend_above(figure, handles)
     return figure
 
 
@@ -130,14 +136,3 @@ def _draw_profiles(
     axes.set_ylim(low - 0.25 * (high - low), high)  # leaves room for the legend
     axes.legend(loc="lower center", ncols=4, columnspacing=1.2)
     style.label_panel(axes, "e", "heights along the dotted lines")
-
-
-def _legend_handles(topography: xr.Dataset, band: Sequence[float]) -> list[Artist]:
-    """Return one entry per surface and one for each kind of mark."""
-    short, long = (format_length(edge) for edge in band)
-    return [
-        *style.surface_handles(topography),
-        Patch(label=f"published band, {short} to {long}", **BAND_LOOK),
-        Line2D([], [], color="0.3", marker="o", label="mean of the scans", **SCAN_LOOK),
-        Patch(label="artificial roughness (dashed)", **style.HATCHED_LOOK),
-    ]
