@@ -4,7 +4,7 @@ from math import exp, pi, sqrt
 
 import numpy as np
 import pytest
-from paper_numbers import MODULUS, RADIUS, SPACING, SPHERE, WORK
+from paper_numbers import MODULUS, RADIUS, SPHERE, WORK
 from scipy.integrate import quad
 from scipy.stats import norm
 
@@ -15,9 +15,9 @@ from hardcontact.paper.classical_models import CLASSICAL_MODELS, Roughness
 
 def test_rumpf_s_force_has_the_limits_of_plane_and_asperity():
     smooth = hertz_jkr_dmt.dmt_pull_off(WORK, RADIUS)
-    force = classical_models.rumpf(WORK, RADIUS, np.array([1e-9, 1e-3, 1e15]), SPACING)
+    force = classical_models.rumpf(WORK, np.array([1e-9, 1e-3, 1e15]), SPHERE)
     assert force[0] == pytest.approx(smooth) == pytest.approx(force[2])
-    large = classical_models.rumpf(WORK, RADIUS, 1e3, SPACING)  # the plane is too far to attract
+    large = classical_models.rumpf(WORK, 1e3, SPHERE)  # the plane is too far to attract
     asperity = hertz_jkr_dmt.dmt_pull_off(WORK, 1e3 * RADIUS / 251e3)
     assert large == pytest.approx(asperity, rel=1e-3)
 
@@ -30,7 +30,7 @@ def test_rabinovich_s_force_has_the_limits_of_plane_and_asperity():
     smooth = hertz_jkr_dmt.dmt_pull_off(WORK, RADIUS)
     assert force(1e-12, 500.0) == pytest.approx(2 * smooth)
     caps = 500.0**2 / (32 * classical_models.PEAK_OVER_RMS * 50.0)  # their radius
-    single = classical_models.rumpf(WORK, RADIUS, caps, 1e-6)
+    single = classical_models.rumpf(WORK, caps, SPHERE._replace(spacing=1e-6))
     assert force(50.0, 500.0) == pytest.approx(single, rel=0.05)
     assert force(50.0, 1e12) == pytest.approx(smooth, rel=1e-4)
 

@@ -59,15 +59,15 @@ class ClassicalModel(NamedTuple):
     is_proportional: bool  #: Whether the force is proportional to the work of adhesion.
 
 
-def rumpf(work: Values, radius: Values, asperity_radius: Values, spacing: float) -> Values:
+def rumpf(work: Values, asperity_radius: Values, sphere: ElasticSphere) -> Values:
     """Return the van der Waals pull-off force of a sphere on one hemispherical asperity.
 
-    A/6z0² [rR/(r+R) + R/(1+r/z0)²] with A = 12πz0²W, the Hamaker constant that gives the smooth
-    sphere 2πWR; z0 is the spacing. The asperity of the radius r stands on a plane. Rumpf, Particle
-    Technology (1990).
+    The force is A/6z0² [rR/(r+R) + R/(1+r/z0)²] for an asperity of the radius r on a plane. A is
+    12πz0²W, z0 the spacing. Rumpf, Particle Technology (1990).
     """
-    reduced_radius = asperity_radius * radius / (asperity_radius + radius)
-    return dmt_pull_off(work, reduced_radius + radius / (1 + asperity_radius / spacing) ** 2)
+    reduced_radius = asperity_radius * sphere.radius / (asperity_radius + sphere.radius)
+    plane_part = sphere.radius / (1 + asperity_radius / sphere.spacing) ** 2
+    return dmt_pull_off(work, reduced_radius + plane_part)
 
 
 def rabinovich(work: Values, roughness: Roughness, sphere: ElasticSphere) -> Values:
@@ -75,8 +75,7 @@ def rabinovich(work: Values, roughness: Roughness, sphere: ElasticSphere) -> Val
 
     The force is AR/6z0² [1/(1 + 32 kσR/λ²) + 1/(1 + kσ/z0)²] with A = 12πz0²W and k = 1.817. Caps
     are kσ high and λ/2 wide, for the rms height σ and the distance λ between peaks, 2πσ over the
-    rms slope. Rabinovich et al., J. Colloid Interface Sci. 232 (2000) 10 and 17. For σ = 0 the
-    force is twice the smooth sphere's.
+    rms slope. Rabinovich et al., J. Colloid Interface Sci. 232 (2000) 10 and 17.
     """
     distance = 2 * np.pi * roughness.height / roughness.slope
     peak = PEAK_OVER_RMS * roughness.height
@@ -200,16 +199,12 @@ def _relative_pull_off(tension: Tension, factor: float, index: Values) -> Values
 CLASSICAL_MODELS = {
     "rumpf_height": ClassicalModel(
         "Rumpf (height)",
-        lambda work, roughness, sphere: rumpf(
-            work, sphere.radius, HEMISPHERE_OVER_RMS * roughness.height, sphere.spacing
-        ),
+        lambda work, roughness, sphere: rumpf(work, HEMISPHERE_OVER_RMS * roughness.height, sphere),
         is_proportional=True,
     ),
     "rumpf_curvature": ClassicalModel(
         "Rumpf (curvature)",
-        lambda work, roughness, sphere: rumpf(
-            work, sphere.radius, 1 / roughness.curvature, sphere.spacing
-        ),
+        lambda work, roughness, sphere: rumpf(work, 1 / roughness.curvature, sphere),
         is_proportional=True,
     ),
     "rabinovich": ClassicalModel("Rabinovich", rabinovich, is_proportional=True),

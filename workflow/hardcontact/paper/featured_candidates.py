@@ -88,7 +88,7 @@ def compare_features(
     """Return features.nc: CANDIDATE_STATISTICS (features, candidate), and published statistics.
 
     A study has at most one surface with features; without one the dataset is empty. The keys of
-    `chunks` are as in `candidates_by_surface`, `sphere_factors` come from `sets.sphere_factor`.
+    `chunks` are as in `candidates_by_surface`; `sphere_factors` come from `sets.sphere_factor`.
     """
     if not chunks:
         empty = ("features", "candidate"), np.empty((len(FEATURE_KINDS), 0))

@@ -57,7 +57,7 @@ def claim_facts(claims: pd.DataFrame, set_count: int, confidence: float) -> dict
             row["basis"] in WITHOUT_SCAN for row in independent if row["verdict"] == REPRODUCED
         ),
         # Number of statements that only the paper's pixels can test.
-        "larger_pixels": sum(LARGER_PIXELS in (row["note"] or "") for row in independent),
+        "larger_pixels": sum(LARGER_PIXELS in row["note"] for row in independent),
     }
 
 
@@ -69,7 +69,8 @@ def _printed_claim(row: Mapping[Any, Any]) -> dict[str, Any]:
     interval = (row["low"], row["high"])
     kind = "follows" if row["follows_from"] else "independent"
     # Without sets, ends of the interval are rounded so that they stay on their side of the limits.
-    limits = () if row["agreeing_share"] >= 0 else (row["accepted_low"], row["accepted_high"])
+    has_sets = pd.notna(row["agreeing_share"])
+    limits = () if has_sets else (row["accepted_low"], row["accepted_high"])
     computed_text = format_as_paper(row["computed"], unit)
     if is_unbounded(row["computed"], *interval, unit):
         computed_text += f" ({NO_INTERVAL_WORDS[NumberStatus.NO_INTERVAL]})"
