@@ -3,7 +3,8 @@
 The force relative to the force of DMT, 2 pi R W, has three terms, averaged over positions: the
 attraction of all points below the sphere (surface term), of the summits that touch (summit term),
 and of the area in contact (contact term). workflow/report/theory.md (The mean force) derives them.
-Summits (`summits`) are rough themselves: the same terms give their roughness.
+Summits (`summits`) are rough themselves: the same terms give the force on a rough summit relative
+to a smooth one.
 """
 
 from dataclasses import dataclass, replace
@@ -150,10 +151,7 @@ def _close_share(apex: ApexDistribution, relative_rms: float) -> Floats:
 def _roughness_on_summit(
     spectrum: Spectrum, apex: ApexDistribution, contact: Contact
 ) -> tuple[Spectrum, Contact] | None:
-    """Return the spectrum on a touching summit and its contact, or None if it is hardly rough.
-
-    theory.md (Rough summits) has the reasons.
-    """
+    """Return spectrum and contact of a touching summit (theory.md, Rough summits), if rough."""
     lowest = 2 * np.pi / (MAX_WAVELENGTH_PER_HALF_WIDTH * apex.half_width)
     summit_spectrum = spectrum_between(spectrum, lowest, np.inf)
     min_variance = (MIN_ROUGHNESS_PER_RANGE * contact.rho) ** 2

@@ -69,7 +69,7 @@ def _flat_indices(positions: NDArray[np.int_], pixels: int) -> NDArray[np.int_]:
 
 
 def _image_gaps(bodies: Bodies, apex: NDArray[np.int_], offsets: NDArray[np.int_]) -> Floats:
-    """Return the reference gaps (k,) of periodic images of contact pixels, not in contact."""
+    """Return the reference gaps (k,) of the images of contact pixels that lie in the window."""
     pixels = bodies.substrate.pixels
     geometry = bodies.geometry
     if geometry.window_pixels <= pixels:
