@@ -103,7 +103,10 @@ rule aggregate_topography:
     input:
         scans=FILES.paths(STORE.levelled_scans, PLAN.scan_ids),
         spectra=[FILES.spectrum_path(surface) for surface in SELECTION.surfaces],
-        conditionings=[FILES.conditioning_path(surface) for surface in SELECTION.substitutes],
+        conditionings=[
+            FILES.path(STORE.conditioning, surface, scan=SELECTION.contact_scans(surface)[0])
+            for surface in SELECTION.substitutes
+        ],
         examples=[
             FILES.path(STORE.levelled_scans, surface, scan=SELECTION.contact_scans(surface)[0])
             for surface in SELECTION.surfaces

@@ -36,7 +36,6 @@ USUAL_BOUNDS = {
     "range": ("0.2 nm", "40 nm", "ranges from atomic bonds to long dispersion forces"),
     "work": ("0.1 mJ/m2", f"{STRONGEST_WORK:g} J/m2", "solids, up to diamond on itself"),
 }
-
 #: A remedy in messages on files: a key with its value, perhaps after an option with this value,
 #: such as "--unit nm (scan.unit: nm)". Its number is a length in nm.
 REMEDY = re.compile(r"(?:--\w+ \S+ \()?scan\.(\w+): ([\w,]+)\)?")

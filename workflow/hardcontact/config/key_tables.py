@@ -17,8 +17,6 @@ from hardcontact.config.key_types import Matching, Quantity
 from hardcontact.config.keys import Study
 from hardcontact.config.selected_surfaces import SurfaceRow
 
-CONFIGURATION = Path("config/config.yaml")
-README = Path("config/README.md")
 YAML_HEADER = """\
 # The paper: the defaults of the study, made from workflow/hardcontact/config/keys.py by
 # python -m hardcontact.config.key_tables
@@ -106,5 +104,6 @@ def _inline_yaml(value: Any) -> str:
 
 
 if __name__ == "__main__":
-    CONFIGURATION.write_text(configuration_yaml(), "utf-8")
-    README.write_text(update_columns(README.read_text("utf-8")), "utf-8")
+    Path("config/config.yaml").write_text(configuration_yaml(), "utf-8")
+    readme = Path("config/README.md")
+    readme.write_text(update_columns(readme.read_text("utf-8")), "utf-8")

@@ -1,11 +1,10 @@
-"""The keys of a study, with their types, limits, defaults and meanings, and rules across keys.
+"""The keys of a study, with types, meanings, the defaults of the paper, and rules across keys.
 
-The defaults are the paper's; `key` names the section of the paper that a default comes from. From
-the strings below classes and keys ``python -m hardcontact.config.key_tables`` makes the comments of
-config/config.yaml.
+``python -m hardcontact.config.key_tables`` makes config/config.yaml from them.
 """
 
 import os
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -291,43 +290,40 @@ class Study(Keys):
 
     @model_validator(mode="after")
     def _check_rules_across_keys(self) -> "Study":
-        faults = self._effort_faults() + self._folder_faults()
-        if self.published == PAPER and self.forces != NONE:
-            faults.append(key_fault("forces", f"{NONE} with published: {PAPER}", self.forces))
-        is_smooth = self.published != PAPER and self.sphere.surface == SMOOTH_SPHERE
-        if is_smooth and self.band.sphere_roughness:
-            accepted = f"false with sphere.surface: {SMOOTH_SPHERE}"
-            faults.append(key_fault("band.sphere_roughness", accepted, "true"))
-        raise_faults(faults)
+        raise_faults([*self._effort_faults(), *self._folder_faults(), *self._kind_faults()])
         return self
 
-    def _effort_faults(self) -> list[str]:
-        """Return the faults of the effort and of the names that depend on it."""
-        faults = []
+    def _effort_faults(self) -> Iterator[str]:
+        """Yield the faults of the effort and of the names that depend on it."""
         if self.effort == "quick" and not self.quick:
             accepted = "full, because the section quick has no keys"
             found_value = "quick (the quick study of the paper: --configfile config/quick.yaml)"
-            faults.append(key_fault("effort", accepted, found_value))
+            yield key_fault("effort", accepted, found_value)
         repeated_names = sorted({"study", "store"} & self.quick.keys())
         if repeated_names:
             accepted = f"neither study nor store, whose names at quick effort end in {QUICK_SUFFIX}"
-            faults.append(key_fault("quick", accepted, " and ".join(repeated_names)))
+            yield key_fault("quick", accepted, " and ".join(repeated_names))
         for name_key in ("study", "store"):
             name = getattr(self, name_key)
             if self.quick and self.effort != "quick" and name.endswith(QUICK_SUFFIX):
                 accepted = f"a name without the end {QUICK_SUFFIX}, which marks effort: quick"
-                faults.append(key_fault(name_key, accepted, name))
-        return faults
+                yield key_fault(name_key, accepted, name)
 
-    def _folder_faults(self) -> list[str]:
-        """Return the faults of the store relative to the results."""
-        faults = []
+    def _folder_faults(self) -> Iterator[str]:
+        """Yield the faults of the store relative to the results."""
         folder = f"results/{self.study}"
         results = Path(os.path.realpath(folder))
         store = Path(os.path.realpath(self.store))
         if results.is_relative_to(store) or store.is_relative_to(results):
-            faults.append(key_fault("store", f"a folder apart from {folder}", self.store))
+            yield key_fault("store", f"a folder apart from {folder}", self.store)
         if store.is_relative_to(os.getcwd()) and not store.is_relative_to(results.parent):
-            accepted = "a folder in results or outside of the project"
-            faults.append(key_fault("store", accepted, self.store))
-        return faults
+            yield key_fault("store", "a folder in results or outside of the project", self.store)
+
+    def _kind_faults(self) -> Iterator[str]:
+        """Yield the faults of keys that the kind of study or a smooth sphere excludes."""
+        if self.published == PAPER and self.forces != NONE:
+            yield key_fault("forces", f"{NONE} with published: {PAPER}", self.forces)
+        is_smooth = self.published != PAPER and self.sphere.surface == SMOOTH_SPHERE
+        if is_smooth and self.band.sphere_roughness:
+            accepted = f"false with sphere.surface: {SMOOTH_SPHERE}"
+            yield key_fault("band.sphere_roughness", accepted, "true")

@@ -16,13 +16,10 @@ from hardcontact.surfaces.substitute_spectra import read_segments
 
 #: Stands for the number of a scan of a smooth sphere; scans are numbered from 1.
 NO_SCAN = 0
-
 #: Words in the column `use`: contacts are made on a scan, or it only enters the spectrum.
 CONTACT_USE, SPECTRUM_USE = "contact", "spectrum"
-
 #: Ids that surfaces cannot have: they stand for the mean over surfaces and for a smooth sphere.
 RESERVED_IDS = ("mean", SMOOTH_SPHERE)
-
 #: The radius of the tip that measured a scan, from a sharp tip to a blunt stylus.
 TIP_RADIUS = Quantity("nm", 0.1, 1e5)
 LABEL = Matching("[^${}]{1,60}", "a name for figures, up to 60 characters without $, { and }")
@@ -76,7 +73,6 @@ class Selection:
         self.sphere = sphere
         self.sphere_digest = digests.get(sphere, SMOOTH_SPHERE)
         self.surfaces: list[str] = list(rows.surface.unique())
-        #: Name to print, by surface.
         self.labels: dict[str, str] = dict(zip(rows.surface, rows.label, strict=True))
         #: ``"measured"`` or ``"substitute"``, by surface.
         self.sources: dict[str, str] = dict(zip(rows.surface, rows.source, strict=True))

@@ -177,11 +177,6 @@ class SurfaceFiles:
         scans = self.selection.all_scans(surface)
         return [self.path(self.patterns.measurements, surface, scan=scan) for scan in scans]
 
-    def conditioning_path(self, surface: str) -> str:
-        """Return the path of the gain and factors of the study's scans of a substitute."""
-        first_scan = self.selection.contact_scans(surface)[0]
-        return self.path(self.patterns.conditioning, surface, scan=first_scan)
-
     def mirrored_scan_path(self, surface: str, scan: int) -> str:
         """Return the path of a mirrored scan."""
         return self.path(self.patterns.mirrored_scans, surface, scan=scan)

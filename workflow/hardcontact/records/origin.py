@@ -16,7 +16,6 @@ from hardcontact.base.atomic_file import write_text_file
 
 #: Packages whose versions every file names.
 PACKAGES = ("numpy", "scipy", "xarray", "netCDF4", "SurfaceTopography", "snakemake")
-
 #: Name of the folder with the records of files, beside these files.
 RECORDS = ".origin"
 
