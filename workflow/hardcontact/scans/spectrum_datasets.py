@@ -18,14 +18,13 @@ from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import BIN_CENTRES, WAVEVECTORS, spectrum_of_dataset
 from hardcontact.surfaces.substitute_spectra import DATA_EVIDENCE
 
-#: Attributes of a spectrum about its ends, with their units; no unit for a text.
+#: Attributes of a spectrum about its ends, with their units; texts have none.
 END_ATTRIBUTE_UNITS = {
     "shortest_measured": "nm", "longest_measured": "nm", "rolloff": "nm", "tail_hurst": "1",
     "tail_hurst_error": "1", "tail_fit_shortest": "nm", "tail_fit_longest": "nm",
     "tail_ended_by": "", "tail_known": "1",
 }  # fmt: skip
-#: Properties of a measurement, which is a scan or a segment of a description, with their units; no
-#: unit for a text.
+#: Properties of a measurement, a scan or a segment of a description, with their units.
 PROPERTY_UNITS = {
     "kind": "", "path": "", "dataset": "", "notes": "", "earlier_scan": "", "limited_by": "",
     "size": "nm", "pixel_size": "nm", "shortest_reliable": "nm", "longest_reliable": "nm",

@@ -71,18 +71,7 @@ class HeightMap:
         return self.pixels * self.pixel_size
 
     def plot(self, axes: "Axes | None" = None) -> "Axes":
-        """Draw the heights of a map in nm over positions in µm.
-
-        Parameters
-        ----------
-        axes : matplotlib.axes.Axes or None
-            Axes to draw in; None for new axes.
-
-        Returns
-        -------
-        matplotlib.axes.Axes
-            The axes, with a colour bar.
-        """
+        """Draw the heights of a map in nm over positions in µm, in new axes if none are given."""
         import matplotlib.pyplot as plt
 
         axes = plt.subplots()[1] if axes is None else axes

@@ -72,18 +72,7 @@ class Spectrum:
         )
 
     def plot(self, axes: "Axes | None" = None) -> "Axes":
-        """Draw C_iso in nm⁴ over wavelengths in nm.
-
-        Parameters
-        ----------
-        axes : matplotlib.axes.Axes or None
-            Axes to draw in; None for new axes.
-
-        Returns
-        -------
-        matplotlib.axes.Axes
-            The axes, both logarithmic.
-        """
+        """Draw C_iso in nm⁴ over wavelengths in nm, in new axes if none are given."""
         import matplotlib.pyplot as plt
 
         axes = plt.subplots()[1] if axes is None else axes
