@@ -83,46 +83,40 @@ MIN_STEP_CORRELATION = -0.25
 LARGEST_RATIO = 1e6
 
 
-def scan_defects(
-    raw_heights: Floats, levelled_heights: Floats, pixel_size: float
-) -> dict[str, Defect]:
-    """Return the defects of a scan by code, each with its numbers as in DEFECTS.
-
-    Heights in nm are (y, x), or (n,) of a line scan. Beside some defects others are not looked for:
-    equal lines look like a lay, sidewalls hide white noise.
-    """
-    defects: dict[str, Defect] = {}
-    measured_heights = raw_heights
-    if raw_heights.ndim == 2:
-        defects["curvature"] = _find_curvature(levelled_heights, pixel_size)
-        rows, columns = _find_equal_lines(raw_heights), _find_equal_lines(raw_heights.T)
-        share = float(max(rows.mean(), columns.mean()))
-        if share > MAX_EQUAL_LINE_SHARE:
-            defects["equal_lines"] = {"equal_line_share": share}
-            measured_heights = raw_heights[~rows][:, ~columns]
-        else:
-            levelled_heights, defects["streaks"] = _fill_streaks(levelled_heights)
-            power = _wave_power(levelled_heights)
-            defects |= _find_line_patterns(levelled_heights, power, pixel_size)
-    defects["spikes"] = _find_spikes(levelled_heights)
-    defects |= _find_clipping(measured_heights)
-    if not any(defects.get(code) for code in ("equal_lines", "spikes")):
-        defects["sidewalls"] = _find_sidewalls(levelled_heights)
-    hiding_defects = ("equal_lines", "spikes", "sidewalls", "offset_lines")
-    # Quantised heights have noise from rounding.
-    is_quantised = np.median(np.abs(np.diff(raw_heights, axis=0))) == 0
-    is_noise_hidden = is_quantised or any(defects.get(code) for code in hiding_defects)
-    if raw_heights.ndim == 2 and not is_noise_hidden:
-        defects["noise"] = _find_noise(levelled_heights.var(), power)
-    return {code: defects[code] for code in DEFECTS if defects.get(code)}
-
-
 def level_and_list_defects(
     scan: HeightMap, sphere_radius: float | None = None, levelling: str = "plane"
 ) -> HeightMap:
-    """Return a scan levelled by `remove_form`, with its defects."""
+    """Return a scan levelled by `remove_form`, with its defects by code.
+
+    Beside some defects others are not looked for: equal lines look like a lay, sidewalls hide
+    white noise.
+    """
     flat = remove_form(scan, sphere_radius, levelling)
-    return replace(flat, defects=scan_defects(scan.heights, flat.heights, scan.pixel_size))
+    heights = flat.heights
+    measured_heights = scan.heights
+    defects: dict[str, Defect] = {}
+    if scan.kind == "map":
+        defects["curvature"] = _find_curvature(heights, scan.pixel_size)
+        rows, columns = _find_equal_lines(scan.heights), _find_equal_lines(scan.heights.T)
+        share = float(max(rows.mean(), columns.mean()))
+        if share > MAX_EQUAL_LINE_SHARE:
+            defects["equal_lines"] = {"equal_line_share": share}
+            measured_heights = scan.heights[~rows][:, ~columns]
+        else:
+            heights, defects["streaks"] = _fill_streaks(heights)
+            power = _wave_power(heights)
+            defects |= _find_line_patterns(heights, power, scan.pixel_size)
+    defects["spikes"] = _find_spikes(heights)
+    defects |= _find_clipping(measured_heights)
+    if not any(defects.get(code) for code in ("equal_lines", "spikes")):
+        defects["sidewalls"] = _find_sidewalls(heights)
+    hiding_defects = ("equal_lines", "spikes", "sidewalls", "offset_lines")
+    # Quantised heights have noise from rounding.
+    is_quantised = np.median(np.abs(np.diff(scan.heights, axis=0))) == 0
+    is_noise_hidden = is_quantised or any(defects.get(code) for code in hiding_defects)
+    if scan.kind == "map" and not is_noise_hidden:
+        defects["noise"] = _find_noise(heights.var(), power)
+    return replace(flat, defects={code: defects[code] for code in DEFECTS if defects.get(code)})
 
 
 def _fill_streaks(heights: Floats) -> tuple[Floats, Defect]:

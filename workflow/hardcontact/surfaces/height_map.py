@@ -38,7 +38,7 @@ class HeightMap:
     tip_radius: float | None = None  #: In nm, if the file or its container states one.
     notes: tuple[str, ...] = ()  #: What was changed or chosen in reading, each in one line.
     undefined_count: int = 0  #: Number of kept pixels that were undefined before they were filled.
-    #: The result of `scan_defects`, after `level_and_list_defects`.
+    #: Numbers of defects by code and name, after `level_and_list_defects`.
     defects: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
 
     def __repr__(self) -> str:
