@@ -81,7 +81,7 @@ def _decode_text(content: bytes) -> str | None:
 
 
 def _mark_undefined(line: str, width: int) -> str:
-    """Return a row of a matrix, of which at least half are numbers, with nan in place of words."""
+    """Return a line with nan for words, such as ***, if at least half of its cells are numbers."""
     cells = CELL.findall(line)
     if NUMBERS.fullmatch(line) or not POINT_COLUMNS < len(cells) <= width:
         return line
