@@ -81,7 +81,7 @@ def _decode_text(content: bytes) -> str | None:
 
 
 def _mark_undefined(line: str, width: int) -> str:
-    """Return a line with nan for words, such as ***, if at least half of its cells are numbers."""
+    """Return a row of a matrix with nan for words, such as ***; other lines are unchanged."""
     cells = CELL.findall(line)
     if NUMBERS.fullmatch(line) or not POINT_COLUMNS < len(cells) <= width:
         return line
