@@ -120,9 +120,8 @@ def _scan_faults(study: dict[str, Any], surface: str, extent: Extent) -> Iterato
     master_extent = extent._replace(size=extent.size * study["band"]["long"]["tiles"])
     for stage, named_contact in study_contacts(study).items():
         uses_masters = stage in ("band", "sets") and not is_sphere
-        map_extent = master_extent if uses_masters else extent
-        for fault in contact_faults(named_contact, surface, map_extent):
-            yield f"config key {fault}"
+        faults = contact_faults(named_contact, surface, master_extent if uses_masters else extent)
+        yield from (f"config key {fault}" for fault in faults)
 
 
 def _body_faults(

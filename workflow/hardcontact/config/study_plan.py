@@ -54,7 +54,7 @@ class StudyPlan:
     def scan_batches(self) -> dict[tuple[int, ...], list[str]]:
         """The substitutes by the numbers of the scans that one job makes, a batch.
 
-        Batch 0 has the scans of the study, each other batch as many further ones, for masters.
+        The first batch has the scans of the study, each other batch as many more, for masters.
         """
         master_count = max(self.study[name]["masters"] for name in ("band", "sets", "exponents"))
         surfaces_by_scans = defaultdict[tuple[int, ...], list[str]](list)
@@ -111,8 +111,11 @@ class StudyPlan:
     def measurements_of_map(self, surface: str, scan: int) -> list[int]:
         """Return which measurements (from 0) of the spectrum of a map are the scans in the map."""
         bodies = self.rough_bodies(surface, scan)
-        all_scans = self.selection.all_scans
-        measured = [(body.surface, scan) for body in bodies for scan in all_scans(body.surface)]
+        measured = [
+            ScanId(body.surface, number)
+            for body in bodies
+            for number in self.selection.all_scans(body.surface)
+        ]
         return [measured.index(body) for body in bodies]
 
     @property
