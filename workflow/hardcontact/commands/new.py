@@ -73,7 +73,7 @@ def _write_study(
     """Write the table of surfaces and the overlay of a study; return lines on how to run it."""
     overlay_path, table_path = f"config/{name}.yaml", f"config/{name}.tsv"
     command = f"snakemake --configfile {overlay_path}"
-    texts = {table_path: table, overlay_path: overlay_text(command, choices, quick)}
+    texts = {table_path: table, overlay_path: _overlay_text(command, choices, quick)}
     for path, text in texts.items():
         write_text_file(ROOT / path, text)
     return [
@@ -176,7 +176,7 @@ def values_by_key(choices: Sequence[Choice]) -> dict[str, Any]:
     return {choice.key: choice.value for choice in choices}
 
 
-def overlay_text(command: str, choices: Sequence[Choice], quick: Sequence[Choice]) -> str:
+def _overlay_text(command: str, choices: Sequence[Choice], quick: Sequence[Choice]) -> str:
     """Return an overlay as YAML: the command that runs it, and a reason above each key."""
     reasons = {choice.key: choice.reason for choice in choices}
     reasons["quick"] = "With --config effort=quick these keys replace those above."

@@ -77,7 +77,11 @@ class Reruns:
     def _digest(self, path: str) -> str | None:
         """Return the presumed SHA-256 of a file, None if it is missing."""
         if path not in self._digests:
-            self._digests[path] = _presumed_digest(path) if Path(path).is_file() else None
+            self._digests[path] = None
+            if Path(path).is_file():
+                is_large = Path(path).stat().st_size > MAX_READ_SIZE
+                record = _complete_record(path) if is_large else None
+                self._digests[path] = record.sha256 if record else file_digest(path)
         return self._digests[path]
 
     def made_file_digests(self, paths: Iterable[str]) -> dict[str, str]:
@@ -104,12 +108,6 @@ class Reruns:
 def _input_paths(job: Any) -> set[str]:
     """Return the inputs of a job, as records name them."""
     return {Path(path).as_posix() for path in job.input}
-
-
-def _presumed_digest(path: str) -> str:
-    """Return the SHA-256 of a file; that in its record, if the file is large and has one."""
-    record = _complete_record(path) if Path(path).stat().st_size > MAX_READ_SIZE else None
-    return record.sha256 if record else file_digest(path)
 
 
 def _complete_record(path: str) -> Record | None:
