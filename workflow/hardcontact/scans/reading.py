@@ -94,10 +94,7 @@ def list_scans(path: str | Path) -> list[str]:
 def read_in_child(
     reader: Callable[..., dict[str, Any]], path: Path, *arguments: str | float
 ) -> dict[str, Any]:
-    """Return the dictionary that a reader makes from the bytes of a file, in a child process.
-
-    Raises ValueError, one line with the path, if the file or the child fails.
-    """
+    """Return what a reader makes of the bytes of a file in a child process, or raise ValueError."""
     size = _file_bytes(path)
     seconds = min(MAX_SECONDS, SMALL_FILE_SECONDS + SECONDS_PER_MEGABYTE * size // 2**20)
     memory = min(MAX_MEMORY, SMALL_FILE_MEMORY + MEMORY_PER_BYTE * size)

@@ -146,11 +146,7 @@ def describe_contradictions(contradictions: Sequence[Contradiction], names: Sequ
 def find_contradictions(
     density: Floats, reliable: ArrayLike, kinds: Iterable[str], sizes: Iterable[float]
 ) -> list[Contradiction]:
-    """Return the pairs of scans that contradict each other, the largest factor first.
-
-    C_iso `density` (scan, bins) is compared over all bins in which both scans are `reliable` (scan,
-    bins), and over each half decade of these bins.
-    """
+    """Return pairs of scans whose C_iso (scan, bins) contradict each other, the worst first."""
     usable = np.asarray(reliable, bool) & np.isfinite(density)
     scans = zip(kinds, sizes, strict=True)
     modes = np.array([independent_modes(kind, size) for kind, size in scans])
@@ -163,6 +159,7 @@ def find_contradictions(
             continue
         difference = logs[index] - logs[other_index]
         variance = variances[index] + variances[other_index]
+        # Scans are compared over all bins in which both are reliable, and over each half decade.
         half_decades = sliding_window_view(shared, min(HALF_DECADE_BINS, len(shared)))
         groups = [shared, *half_decades]
         means_and_errors = [_mean_difference(difference[bins], variance[bins]) for bins in groups]

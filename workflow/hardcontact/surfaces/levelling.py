@@ -58,16 +58,14 @@ def squared_projections(phase: Floats) -> tuple[Floats, Floats]:
 
 
 def level_lines(scan: HeightMap) -> HeightMap:
-    """Return a scan without streaks, its lines along x aligned, minus its least-squares plane.
-
-    Aligned lines lose drift and jumps, but also real roughness whose wavevector points along y.
-    """
+    """Return a scan without streaks, its lines along x aligned, minus its least-squares plane."""
     heights, is_filled = fill_streaks(level_plane(scan).heights)
     scan = replace(scan, heights=heights)
     streak_lines = int(is_filled.any(axis=1).sum())
     if streak_lines:
         note = f"streaks along {streak_lines} lines filled from the lines beside them"
         scan = replace(scan, notes=(*scan.notes, note))
+    # This removes drift and jumps, but also real roughness whose wavevector points along y.
     aligned = to_surface_topography(scan).scan_line_align(direction="x", mode="median", degree=1)
     return level_plane(replace(scan, heights=aligned.heights().T))
 

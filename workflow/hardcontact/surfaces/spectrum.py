@@ -154,10 +154,7 @@ def _mark_empty_bins(density: ArrayLike) -> Floats:
 
 
 def spectral_moment(spectrum: Spectrum, order: int) -> float:
-    """Return the moment (1/2 pi) ∫ q^(1 + order) C_iso dq.
-
-    It is the squared rms height (order 0), gradient (2) or Laplacian (4).
-    """
+    """Return (1/2 pi) ∫ q^(1 + order) C_iso dq: the squared rms height if the order is 0."""
     q = spectrum.wavevector
     integrand = spectrum.density * q ** (1 + order)
     return float(np.trapezoid(integrand * q, np.log(q)) / (2 * np.pi))

@@ -202,10 +202,7 @@ def needs_calibration(segments: pd.DataFrame) -> bool:
 def spectrum_from_description(
     path: str | Path, table1: pd.DataFrame, weights: Weights, segments: pd.DataFrame | None = None
 ) -> tuple[Floats, pd.DataFrame, list[str]]:
-    """Return C_iso (nm⁴) on WAVEVECTORS, calibrated segments, and the rows of Table 1 they meet.
-
-    Given `segments` replace those of the file. Raises ValueError if a calibration fails.
-    """
+    """Return C_iso (nm⁴) on WAVEVECTORS, calibrated segments, and the rows of Table 1 they meet."""
     segments = read_segments(path) if segments is None else segments.copy()
     density = np.zeros_like(WAVEVECTORS)
     calibrated_rows = list[str]()
@@ -251,11 +248,7 @@ def _segment_density(segment: pd.Series, longer_waves: Floats, folder: Path) -> 
 def sample_permitted_spectrum(
     rng: np.random.Generator, description: str | Path, table1: pd.DataFrame, constants: pd.DataFrame
 ) -> Spectrum:
-    """Sample a spectrum that Table 1 permits: that of the description, if it has no blanks.
-
-    AFM rows get random errors like those of means over the paper's scans. Raises ValueError if no
-    sample can be calibrated.
-    """
+    """Sample a spectrum that Table 1 permits: that of the description, if it has no blanks."""
     segments = read_segments(description)
     weights = paper_scan_weights(constants)
     rows = list(AFM_ROWS)
@@ -264,6 +257,7 @@ def sample_permitted_spectrum(
     for _ in range(MAX_SAMPLES):
         sampled_table1, sampled_segments = table1.copy(), segments.copy()
         if is_free.any():
+            # Standard errors of means over the paper's scans.
             errors = table1.loc[rows, "uncertainty"] / np.sqrt(scan_count)
             sampled_table1.loc[rows, "value"] += rng.standard_normal(len(rows)) * errors
             sampled_segments.loc[is_free, "rolloff_nm"] *= ROLLOFF_FACTOR ** rng.uniform(-1, 1)
