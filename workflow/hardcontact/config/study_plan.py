@@ -111,11 +111,8 @@ class StudyPlan:
     def measurements_of_map(self, surface: str, scan: int) -> list[int]:
         """Return which measurements (from 0) of the spectrum of a map are the scans in the map."""
         bodies = self.rough_bodies(surface, scan)
-        measured = [
-            ScanId(body.surface, number)
-            for body in bodies
-            for number in self.selection.all_scans(body.surface)
-        ]
+        all_scans = self.selection.all_scans
+        measured = [(body.surface, number) for body in bodies for number in all_scans(body.surface)]
         return [measured.index(body) for body in bodies]
 
     @property
