@@ -42,9 +42,7 @@ def _run(words: Sequence[str]) -> tuple[str, int]:
 
             return predict(predict_arguments(words[1:])), 0
         case ["verify"]:
-            from hardcontact.commands.verify import verify, verify_arguments
-
-            return verify(verify_arguments(words[1:]))
+            return _verify(words[1:])
         case ["compare"]:
             from hardcontact.commands.compare import compare, compare_arguments
 
@@ -54,6 +52,26 @@ def _run(words: Sequence[str]) -> tuple[str, int]:
             from hardcontact.commands.request import new_arguments
 
             return new_study(new_arguments(words)), 0
+
+
+def _verify(words: Sequence[str]) -> tuple[str, int]:
+    """Return the files of a study that do not match their records, and the exit code."""
+    from hardcontact.commands.options import CommandLine
+    from hardcontact.commands.outputs import results_folder
+    from hardcontact.records.verification import verify_study
+
+    description = "Name the files of a finished study that do not match their records."
+    parser = CommandLine("hardcontact verify", description)
+    parser.add_argument("folder", metavar="FOLDER", help="results of a study, or its name")
+    arguments = parser.parse_args(words)
+    folder = results_folder(arguments.folder).resolve()
+    # A study is at least /FOLDER/results/STUDY, which has four parts.
+    if not folder.is_dir() or len(folder.parts) < 4:
+        raise ValueError(f"{arguments.folder}: expected the results of a study, found none")
+    # Records name files from the folder that has `results`.
+    os.chdir(folder.parents[1])
+    faults, summary = verify_study(folder.relative_to(folder.parents[1]))
+    return "\n".join([*faults, *summary]), 1 if faults else 0
 
 
 def join_units(words: Sequence[str]) -> list[str]:
