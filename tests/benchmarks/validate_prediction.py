@@ -9,9 +9,7 @@ The columns are described in resources/validation/README.md.
 """
 
 import argparse
-from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -68,7 +66,7 @@ MAX_SIZE = 25e3
 GRIDS = {1024: 4, 2048: 3}
 
 
-def design(surfaces: int) -> list[dict[str, Any]]:
+def design(surfaces):
     """Return the inputs of the first surfaces of the design."""
     first_rows = sample_inputs(BOUNDS, SEED, FIRST_COUNT)
     second_rows = [
@@ -78,13 +76,11 @@ def design(surfaces: int) -> list[dict[str, Any]]:
     return [row | grid(row) for row in [*first_rows, *second_rows][:surfaces]]
 
 
-def sample_inputs(
-    bounds: dict[str, tuple[float, float]], seed: int, surfaces: int
-) -> Iterator[dict[str, Any]]:
+def sample_inputs(bounds, seed, surfaces):
     """Yield the inputs of the first surfaces of a Sobol sequence (scrambled) within bounds."""
     points = qmc.Sobol(len(bounds), rng=np.random.default_rng(seed)).random_base2(7)[:surfaces]
     for number, point in enumerate(points):
-        row: dict[str, Any] = {"surface": number, "held_out": number // 2 % 2}
+        row = {"surface": number, "held_out": number // 2 % 2}
         for (name, (low, high)), share in zip(bounds.items(), point, strict=True):
             even = name in ("hurst", "hurst_change", "kind")
             row[name] = low + share * (high - low) if even else low * (high / low) ** share
@@ -94,7 +90,7 @@ def sample_inputs(
         yield row
 
 
-def grid(row: dict[str, Any]) -> dict[str, Any]:
+def grid(row):
     """Return the grid that holds the waves that matter, and the area of whole pixels on it.
 
     Twelve pixels are as long as the root of the area in contact where that can be had, and a side
@@ -118,7 +114,7 @@ def grid(row: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-def spectrum_of(row: dict[str, Any]) -> Spectrum:
+def spectrum_of(row):
     """Return C_iso of a row: its kind, of its rms height, without waves below the shortest."""
     hurst, rolloff = row["hurst"], row["rolloff"]
     density = self_affine(WAVEVECTORS, 1.0, rolloff, hurst)
@@ -136,7 +132,7 @@ def spectrum_of(row: dict[str, Any]) -> Spectrum:
     return Spectrum(WAVEVECTORS, density * (row["rms_height"] / height) ** 2)
 
 
-def compute_row(row: dict[str, Any]) -> dict[str, Any]:
+def compute_row(row):
     """Return the mean force (N at 1 J/m²), the standard error of its logarithm, and both edges."""
     spectrum, size, pixels = spectrum_of(row), row["size"], row["pixels"]
     cutoffs = np.geomspace(1.15 * row["shortest"], size / 2.2, CUTOFF_COUNT)
@@ -149,7 +145,7 @@ def compute_row(row: dict[str, Any]) -> dict[str, Any]:
         contacts_per_row=CONTACTS_PER_ROW,
         rho=row["rho"],
     )
-    curves: dict[str, list[Any]] = {side: [] for side in SIDES}
+    curves = {side: [] for side in SIDES}
     forces = []
     for realization in range(GRIDS[pixels]):
         rng = generator(SEED, row["surface"], realization, "validation")
@@ -167,7 +163,7 @@ def compute_row(row: dict[str, Any]) -> dict[str, Any]:
     return result
 
 
-def describe_edge(side: str, cutoffs: np.ndarray, ratios: np.ndarray) -> dict[str, Any]:
+def describe_edge(side, cutoffs, ratios):
     """Return an edge of ratios (realization, cutoff) or its bound, with its interval."""
     log_ratios = np.log([ratios.mean(axis=0), ratios.min(axis=0), ratios.max(axis=0)])
     coordinates = {CUTOFF: cutoffs, "side": side}
@@ -184,7 +180,7 @@ def describe_edge(side: str, cutoffs: np.ndarray, ratios: np.ndarray) -> dict[st
     }
 
 
-def spectrum_of_grid(spectrum: Spectrum, size: float, pixels: int) -> Spectrum:
+def spectrum_of_grid(spectrum, size, pixels):
     """Return the spectrum of the waves that a periodic surface can have.
 
     They fill a square up to the Nyquist wavevector (rad/nm) but for the cell at zero; the spectrum
@@ -197,7 +193,7 @@ def spectrum_of_grid(spectrum: Spectrum, size: float, pixels: int) -> Spectrum:
     return on_grid
 
 
-def predict_row(row: dict[str, Any]) -> dict[str, Any]:
+def predict_row(row):
     """Return the prediction of the closed form on the grid, and the coordinates of the surface."""
     grid_spectrum = spectrum_of_grid(spectrum_of(row), row["size"], row["pixels"])
     contact = Contact(
@@ -215,7 +211,7 @@ def predict_row(row: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-def main() -> None:
+def main():
     """Compute the rows that the table lacks, predict all, and write it after each."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--surfaces", type=int, default=0, help="of the design (160: all)")
@@ -230,7 +226,7 @@ def main() -> None:
     _write([row | predict_row(row) for row in rows], arguments.table)
 
 
-def _write(rows: list[dict[str, Any]], path: Path) -> None:
+def _write(rows, path):
     """Write the table, five digits a number."""
     pd.DataFrame(rows).to_csv(path, index=False, float_format="%.5g", lineterminator="\n")
 

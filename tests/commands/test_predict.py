@@ -24,18 +24,13 @@ from hardcontact.theory.validity import nearest_ratios, table_point
 
 pytestmark = pytest.mark.usefixtures("quick_predictions")
 HEADER = "wavelength,wavelength_unit,c_iso,c_iso_unit"
-BY_WAVEVECTOR = "wavevector,wavevector_unit,c_iso,c_iso_unit"
 
 
 def rows_of(spectrum):
     """Return a spectrum as a header and rows of a table in other units."""
-    has_roughness = spectrum.density > 0
-    columns = (
-        spectrum.wavevector[has_roughness].tolist(),
-        spectrum.density[has_roughness].tolist(),
-    )
-    rows = zip(*columns, strict=True)
-    return [BY_WAVEVECTOR, *(f"{q * 1000!r},rad/um,{c * 1e-36!r},m^4" for q, c in rows)]
+    points = zip(spectrum.wavevector.tolist(), spectrum.density.tolist(), strict=True)
+    rows = [f"{q * 1000!r},rad/um,{c * 1e-36!r},m^4" for q, c in points if c > 0]
+    return ["wavevector,wavevector_unit,c_iso,c_iso_unit", *rows]
 
 
 # Tables

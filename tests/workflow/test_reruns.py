@@ -181,10 +181,6 @@ def test_rewritten_files_of_the_same_meaning_make_nothing(dry):
 KEEPS_EVERY_KEY = {"describe_study", "answer_paper"}
 
 
-def keep_metadata(folder):
-    """Leave what Snakemake remembers of a run."""
-
-
 def lose_metadata(folder):
     """Remove what Snakemake remembers of a run, as a copy of the results alone does."""
     (folder / ".snakemake").unlink()
@@ -203,7 +199,7 @@ def empty_metadata(folder):
 @pytest.mark.parametrize(
     ("key", "value", "concerned", "change_metadata"),
     [
-        ("sets.pool_size", 12, {"compute_pool", "sample_sets"}, keep_metadata),
+        ("sets.pool_size", 12, {"compute_pool", "sample_sets"}, lambda folder: None),
         ("band.short.transition", "90 nm",
          {"synthesize_masters", "compute_filtered_forces", "aggregate_filtered_forces"},
          lose_metadata),

@@ -19,12 +19,6 @@ from hardcontact.report.figures import drawing, style
 from hardcontact.report.figures.listing import PAPER_FIGURES, describe_figure
 
 
-@pytest.fixture(scope="module", params=PAPER_FIGURES)
-def any_figure(request):
-    """Return the name of each figure in turn."""
-    return request.param
-
-
 @pytest.fixture(scope="module")
 def read_inputs(results):
     """Return a function that reads the inputs of a figure of the finished study."""
@@ -84,8 +78,9 @@ def unseen_tick_labels(axes):
         yield from labels - artists if axes.axison else axis.findobj(Text)
 
 
-def test_texts_are_large_enough_inside_the_figure_and_do_not_overlap(draw_checked, any_figure):
-    figure = draw_checked(any_figure)
+@pytest.mark.parametrize("name", PAPER_FIGURES)
+def test_texts_are_large_enough_inside_the_figure_and_do_not_overlap(draw_checked, name):
+    figure = draw_checked(name)
     width, height = figure.get_size_inches()
     assert width == drawing.WIDTH and 2 < height < 9
     boxes = texts(figure)
@@ -107,13 +102,14 @@ def test_texts_are_large_enough_inside_the_figure_and_do_not_overlap(draw_checke
     assert covered == []
 
 
-def test_a_surface_has_one_colour(draw_checked, any_figure):
-    figure = draw_checked(any_figure)
+@pytest.mark.parametrize("name", PAPER_FIGURES)
+def test_a_surface_has_one_colour(draw_checked, name):
+    figure = draw_checked(name)
     colours = dict(zip(LABELS, style.surface_colours(SUBSTRATES).values(), strict=True))
     lines = [line for line in figure.findobj(Line2D) if line.get_label() in colours]
     assert all(same_color(line.get_color(), colours[line.get_label()]) for line in lines)
     if not lines:
-        assert any_figure in {"fig1", "fig3", "fig5", "fig_elastic", "fig_fit", "fig_features"}
+        assert name in {"fig1", "fig3", "fig5", "fig_elastic", "fig_fit", "fig_features"}
 
 
 PLASTIC = {"contact_model": "plastic"}
