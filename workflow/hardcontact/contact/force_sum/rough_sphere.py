@@ -1,4 +1,7 @@
-"""Sums over a rough sphere: the correlation of exp(z/rho) with the kernel exp((u - y)/rho)."""
+"""Sums over a rough sphere: the correlation of exp(z/rho) with the kernel exp((u - y)/rho).
+
+`geometry` defines the heights z, u and y.
+"""
 
 from collections.abc import Iterator, Sequence
 from itertools import product

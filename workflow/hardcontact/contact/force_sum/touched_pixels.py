@@ -1,4 +1,7 @@
-"""Pixels that touch in any contact of an array, which the sums of exp(-gap/rho) exclude."""
+"""Pixels that touch in any contact of an array, which the sums of exp(-gap/rho) exclude.
+
+`geometry` defines the heights z, u and y.
+"""
 
 from collections.abc import Callable
 from typing import NamedTuple
