@@ -143,6 +143,14 @@ def test_forces_are_the_direct_sum_over_every_pixel(files):
     assert forces.pull_off_force.units == "N" and forces.work_of_adhesion == work
 
 
+def test_a_periodic_map_gives_the_forces_of_its_scan_but_no_patches(files):
+    scan = hc.read_scan("scan.nc")
+    forces_at = partial(hc.pull_off_forces, rho=5.6, work=0.05, **SPHERE, **LOAD, **ARRAY)
+    scan_forces = forces_at(scan)
+    periodic_map = replace(scan, heights=mirror(scan.heights), periodic=True)
+    xr.testing.assert_allclose(forces_at(periodic_map), scan_forces.drop_vars("touched_patches"))
+
+
 @pytest.mark.parametrize("rho", [np.int64(5), np.float64(5), np.float32(5)])
 def test_a_range_may_be_a_scalar_of_numpy(rho, files):
     scan = hc.read_scan("scan.nc")

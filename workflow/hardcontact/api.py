@@ -263,7 +263,8 @@ def pull_off_forces(
           apex above the mean plane at closest approach.
         - ``contact_pixel_count`` (contact_model): the number of pixels in contact.
         - ``touched_patches``: the number of patches, groups of neighbouring pixels of the scan, in
-          which the deepest pixels of the contacts lie.
+          which the deepest pixels of the contacts lie. A periodic scan has none, because patches
+          are those of a scan that is mirrored.
         - ``wider_window_change``: the largest relative change of plastic forces at the longest
           range if the window is wider by a period of the map on each side.
 
@@ -284,6 +285,8 @@ def pull_off_forces(
     surface, rough_sphere = _periodic_maps(scan, sphere, contact, ranges)
     bodies = join_bodies(surface, rough_sphere, contact)
     forces = pull_off_dataset(bodies, contact, ranges)
+    if scan.periodic:
+        forces = forces.drop_vars("touched_patches")
     plastic_forces = forces.pull_off_force.sel(contact_model=[PLASTIC], rho=max(ranges))
     window_change = wider_window_change([bodies], replace(contact, rho=max(ranges)), plastic_forces)
     force = forces.pull_off_force * (work / WORK_OF_ADHESION)
