@@ -59,6 +59,9 @@ def test_a_bare_matrix_is_read_with_its_size_and_unit(tmp_path, name):
     message = refusal(read_scan, path)
     assert_says(message, "physical size and unit", "found none", "--size 5000nm", "--unit nm")
     assert_says(refusal(read_scan, path, unit="nm"), "--size 5000nm", "scan.map_size")
+    message = refusal(read_scan, path, map_size=240.0)
+    assert_says(message, "expected a unit of length", "--unit nm")
+    assert "--size" not in message
     measurement = read_scan(path, unit="nm", map_size=240.0)
     assert measurement.pixel_size == pytest.approx(10.0)
     np.testing.assert_allclose(measurement.heights, MAP, atol=1e-4)

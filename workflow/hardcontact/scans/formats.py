@@ -126,9 +126,10 @@ def _user_metadata(channel: Any, unit: str, map_size: float | str) -> dict[str, 
         metadata["unit"] = lateral
         if vertical:
             metadata["height_scale"] = unit_in_nm(vertical) / unit_in_nm(lateral)
-    known_unit = metadata.get("unit", channel.unit)
-    if map_size != NOT_GIVEN and channel.physical_sizes is None and known_unit:
-        pixel_size = float(map_size) / unit_in_nm(known_unit) / max(channel.nb_grid_pts)
+    if map_size != NOT_GIVEN and channel.physical_sizes is None:
+        # Without a unit, any size will do, because the file is refused for its unit.
+        size_unit = metadata.get("unit", channel.unit) or "nm"
+        pixel_size = float(map_size) / unit_in_nm(size_unit) / max(channel.nb_grid_pts)
         metadata["size"] = [pixel_size * count for count in channel.nb_grid_pts]
     return metadata
 
