@@ -1,4 +1,4 @@
-"""`hardcontact predict` evaluates the closed form for tables and scans, and names their faults."""
+"""`hardcontact predict` evaluates the closed form for tables, and names their faults."""
 
 import json
 import os

@@ -13,6 +13,7 @@ from hardcontact.surfaces.metrics import TABLE1_METRICS
 
 SETS = 20_000
 SCATTER = 0.01
+#: What decides which scans and masters a set has, and two settings.
 PARAMETERS = {
     "pool_chunks": [["uncd", 1, 15]], "candidate_chunks": [],
     "master_surfaces": ["uncd"], "master_pool_size": 20, "loading": "H25GPa-F10uN",
@@ -73,6 +74,7 @@ def compared(factor):
 
 def test_shared_scatter_cancels_from_the_change():
     """Quantiles of the normal distribution: 95 % lie within 1.96 deviations."""
+    # Another tolerance leaves the scans of the sets the same.
     first, second = study(), study(1.05, SCATTER, tolerance=0.2)
     assert pairing(first, second) == "paired"
     numbers = add_paired_intervals(compared(1.05), first, second)

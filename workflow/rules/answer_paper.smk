@@ -1,5 +1,5 @@
 # The figures, the answer of the paper's study, and the pages of its report, which
-# `snakemake --report` gathers. redraw.smk makes them from final datasets and published tables alone.
+# `snakemake --report` gathers. ../redraw.smk makes them again from datasets.
 # Names in capitals that are not defined here: common.smk.
 
 from hardcontact.records.code import ENVIRONMENT_PINS, code_inputs, page_templates

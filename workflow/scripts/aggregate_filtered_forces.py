@@ -1,4 +1,4 @@
-"""Pull-off forces on every filtered master, relative to the unfiltered one: filtered_forces.nc."""
+"""Pull-off forces on all masters, filtered and unfiltered, and their ratios: filtered_forces.nc."""
 
 from hardcontact.base.dataset import add_surface_names
 from hardcontact.base.units import NM
@@ -9,7 +9,7 @@ with run_job(snakemake) as job:
     params = job.parameters
     loading = params["loading"]
     forces = read_master_forces(params["surfaces"], job.input.master_forces, loading)
-    if job.input.sampled_master_forces:  # Only measured surfaces have errors of their spectra.
+    if job.input.sampled_master_forces:  # Only spectra of measured surfaces are sampled.
         sampled_forces = read_master_forces(
             params["sampled_surfaces"], job.input.sampled_master_forces, loading
         )

@@ -1,6 +1,6 @@
 """Read the numbers that the paper prints, from the tables of `resources/paper`.
 
-This module is not in the layer `paper`, because the substitutes of any study need these numbers.
+This module is in the layer `base`, because substitutes need these numbers in every study.
 """
 
 from collections.abc import Mapping

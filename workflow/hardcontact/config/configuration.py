@@ -86,12 +86,12 @@ def set_keys(config: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, 
 
 
 def contact_arguments(study: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the arguments of class Contact that are keys, without the range of adhesion."""
+    """Return the arguments of class Contact from the keys, without range and work of adhesion."""
     return {**study["contact"], "radius": study["sphere"]["radius"]}
 
 
 def study_contact(study: Mapping[str, Any]) -> Contact:
-    """Return the contact of the study; its work is NaN, because forces are computed at 1 J/m²."""
+    """Return the contact of the study, without a work of adhesion: forces are those at 1 J/m²."""
     return Contact(**contact_arguments(study), rho=study["adhesion"]["range"])
 
 

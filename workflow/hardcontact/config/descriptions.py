@@ -23,7 +23,7 @@ NotNegative = Annotated[float, Field(strict=False, ge=0, allow_inf_nan=False), B
 class SegmentRow(Keys, extra="ignore"):
     """A row of a description: the spectrum of one range of wavelengths."""
 
-    longest_nm: Annotated[float, Field(strict=False, ge=0), BLANK_AS_NAN]
+    longest_nm: Annotated[float, Field(strict=False, ge=0), BLANK_AS_NAN]  #: May be infinite.
     shortest_nm: NotNegative
     plateau_nm4: NotNegative
     rolloff_nm: NotNegative
@@ -49,7 +49,7 @@ class ProfileRow(Keys, extra="ignore"):
 
 
 def refuse_description(path: str | Path, published_rows: Collection[str]) -> None:
-    """Refuse a description that gives no spectrum with the rows of its surface in Table 1."""
+    """Refuse a description that, even with rows of Table 1, gives no spectrum."""
     content = "a table with the columns {} (resources/README.md)"
     rows = read_rows(path, SegmentRow, content)
     for line, row in rows.items():

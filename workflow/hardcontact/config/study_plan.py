@@ -52,7 +52,7 @@ class StudyPlan:
 
     @property
     def scan_batches(self) -> dict[tuple[int, ...], list[str]]:
-        """The substitutes by the numbers of the scans that one job makes, a batch.
+        """The substitutes by batch: the numbers of the scans that one job makes.
 
         The first batch has the scans of the study, each other batch as many more, for masters.
         """
@@ -79,7 +79,7 @@ class StudyPlan:
         return scans[(master_number - 1) % len(scans)]
 
     def sphere_radius(self, surface: str) -> float | None:
-        """Return the radius (nm) of the sphere in scans of its surface, None in other scans."""
+        """Return the radius (nm) to subtract from scans of the sphere, None for other surfaces."""
         return self.contact.radius if surface == self.selection.sphere else None
 
     @property
@@ -109,7 +109,7 @@ class StudyPlan:
         return sphere_scans[self.selection.contact_scans(surface).index(scan) % len(sphere_scans)]
 
     def measurements_of_map(self, surface: str, scan: int) -> list[int]:
-        """Return which measurements (from 0) of the spectrum of a map are the scans in the map."""
+        """Return the indices of the scans of a map, among all scans of its spectrum."""
         bodies = self.rough_bodies(surface, scan)
         all_scans = self.selection.all_scans
         measured = [(body.surface, number) for body in bodies for number in all_scans(body.surface)]

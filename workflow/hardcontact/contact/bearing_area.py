@@ -1,6 +1,7 @@
 """The contact pixels of rigid and plastic (bearing area) contact: the N smallest reference gaps.
 
-To find them without reading all pixels, the map is cut into square cells. The highest point of a
+A reference gap is the gap if the apex of the sphere is at the height 0 (`geometry`). To find the
+smallest ones without reading all pixels, the map is cut into square cells. The highest point of a
 cell, or of a group of cells, gives a lower bound on its gaps. The N-th smallest gap in a few cells
 is an upper limit of the gaps in contact. Only cells with a bound up to the limit are read.
 """
@@ -43,7 +44,7 @@ class Cells:
     def cells_in_window(
         self, positions: NDArray[np.int_], window: int
     ) -> tuple[NDArray[np.int_], NDArray[np.int_], NDArray[np.bool_]]:
-        """Return the cells that meet windows, in pixels, about positions (...) along either axis.
+        """Return, along one axis, the cells that meet windows of some pixels about positions (...).
 
         Returns three arrays (..., k), padded to the largest number k of cells in a window: the
         offset of a cell from the position, its index, and whether it meets the window.
@@ -216,7 +217,10 @@ def _find_contact_pixels(windows: _Windows, contact_pixel_count: int) -> list[Co
 
 
 def _limits_of_gaps(windows: _Windows, cells: WindowCells, contact_pixel_count: int) -> Floats:
-    """Return the N-th smallest gap (contact,) in the cells of lowest bounds, or infinity."""
+    """Return the N-th smallest gap (contact,) in the cells of lowest bounds, or infinity.
+
+    The cells are ordered by contact; each contact has some.
+    """
     ends = np.searchsorted(cells.contact_numbers, np.arange(cells.contact_numbers[-1] + 2))
     cell_count = LIMIT_CELL_FACTOR * -(-contact_pixel_count // CELL_PIXELS**2)
     cell_count = min(cell_count, np.diff(ends).min())

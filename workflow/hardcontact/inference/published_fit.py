@@ -36,13 +36,13 @@ PAIRS = ["published", "fitted"]
 
 #: Works of adhesion (J/m²) of the error map, in steps of 2 %.
 MAPPED_WORKS = np.geomspace(1e-3, 10.0, 501)
-#: Largest number of local minima of the error.
+#: Largest number of local minima of the error that fit.nc has, the smallest first.
 MAX_MINIMA = 3
 
 #: Variables of the best fit, and the range that fits the ratios of forces best.
 FITTED_ATTRS = FIT_ATTRS | {"range_from_ratios": NM}
 
-#: Fitted variables with samples, by the end of the name ``sampled_...``.
+#: Fitted variables whose samples fit.nc has, too, by the end of their name ``sampled_...``.
 SAMPLED_FITS = {"range": "range_of_adhesion", "work": "work_of_adhesion", "error": "best_error"}
 
 

@@ -54,7 +54,7 @@ TYPES_WITHOUT_HEIGHTS = {
     ),
     f"a document: {SAVE_AS_TEXT}": (b"%PDF",),
 }  # fmt: skip
-#: First bytes of files that some reader may take, by words for their type and the remedy.
+#: First bytes of files that some reader may take, by their type and the remedy if none does.
 TYPES_OFTEN_REFUSED = {
     "a compressed file of MountainsMap: save it without compression": (b"DSCOMPRESSED",),
     "an archive: unpack it, and give the scans in it": (
@@ -67,7 +67,10 @@ UNKNOWN_UNIT = re.compile("Unknown unit '(.*)'|.* while unit '(.*)' is of kind")
 
 
 def list_datasets(content: bytes) -> dict[str, Any]:
-    """Return as "datasets" the data files of a container, or one empty name for any other file."""
+    """Return as "datasets" the data files of a container, or one empty name for any other file.
+
+    `read_in_child` passes dictionaries.
+    """
     entries = _container_entries(_decompress(content))
     return {"datasets": [""] if entries is None else [entry["file"] for entry in entries]}
 
@@ -154,12 +157,12 @@ def _open_reader(content: bytes) -> Any:
             f"found {_describe_unread(content, str(error))}"
         ) from None
     except ValueError as error:
-        unit = UNKNOWN_UNIT.match(str(error))
-        if unit is None:
+        unit_match = UNKNOWN_UNIT.match(str(error))
+        if unit_match is None:
             raise
         raise RefusedFile(
-            f"expected heights, found values in {unit[unit.lastindex or 0]!r}, which is no unit of "
-            "length: save the heights in place of them"
+            f"expected heights, found values in {unit_match[1] or unit_match[2]!r}, which is no unit "
+            "of length: save the heights in place of them"
         ) from None
     if not has_channels:
         raise RefusedFile(f"expected a file with heights, found {_describe_unread(content, '')}")

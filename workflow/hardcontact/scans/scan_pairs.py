@@ -30,8 +30,8 @@ from hardcontact.surfaces.spectrum import BIN_CENTRES, HALF_DECADE_BINS
 SAME_AREA_CORRELATION = 0.5
 #: Largest number of pixels per row of compared maps: means lower the noise, a pair takes 15 ms.
 COMPARED_PIXELS = 64
-#: Longest wavelength that is compared, as a share of the smaller side: longer waves are few, so
-#: that maps of different areas correlate by chance.
+#: Longest wavelength that is compared, as a share of the smaller side: few longer
+#: waves fit in, so different areas would correlate by chance.
 LONGEST_COMPARED_SHARE = 1 / 4
 #: Least overlap after a shift, as a share of the smaller map.
 MIN_OVERLAP = 0.5
@@ -128,7 +128,7 @@ class Contradiction(NamedTuple):
     higher: int
     lower: int
     factor: float  #: Ratio of C_iso, higher to lower, by the mean of its logarithm.
-    wavelengths: tuple[float, float]  #: Shortest and longest (nm) at which both are reliable.
+    wavelengths: tuple[float, float]  #: Shortest and longest (nm) of the bins that differ most.
 
 
 def describe_contradictions(contradictions: Sequence[Contradiction], names: Sequence[str]) -> str:
@@ -146,7 +146,10 @@ def describe_contradictions(contradictions: Sequence[Contradiction], names: Sequ
 def find_contradictions(
     density: Floats, reliable: ArrayLike, kinds: Iterable[str], sizes: Iterable[float]
 ) -> list[Contradiction]:
-    """Return pairs of scans whose C_iso (scan, bins) contradict each other, the worst first."""
+    """Return pairs of scans whose C_iso (scan, bins) contradict each other.
+
+    The pair with the largest factor comes first.
+    """
     usable = np.asarray(reliable, bool) & np.isfinite(density)
     scans = zip(kinds, sizes, strict=True)
     modes = np.array([independent_modes(kind, size) for kind, size in scans])
@@ -163,8 +166,9 @@ def find_contradictions(
         half_decades = sliding_window_view(shared, min(HALF_DECADE_BINS, len(shared)))
         groups = [shared, *half_decades]
         means_and_errors = [_mean_difference(difference[bins], variance[bins]) for bins in groups]
-        worst = int(np.argmax([abs(mean) / error for mean, error in means_and_errors]))
-        (mean, error), bins = means_and_errors[worst], groups[worst]
+        most_significant = int(np.argmax([abs(mean) / error for mean, error in means_and_errors]))
+        mean, error = means_and_errors[most_significant]
+        bins = groups[most_significant]
         if abs(mean) > MIN_CONTRADICTION_ERRORS * error:
             higher, lower = (index, other_index) if mean > 0 else (other_index, index)
             shortest, longest = (2 * np.pi / BIN_CENTRES[bins[[-1, 0]]]).tolist()

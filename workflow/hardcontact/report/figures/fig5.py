@@ -11,9 +11,9 @@ from matplotlib.figure import Figure
 
 from hardcontact.report.figures import drawing, panels, style
 
-LINE_COLOURS = {"x": "#B2182B", "y": "#053061"}  # red and blue as in the paper; no surface has them
+LINE_COLOURS = {"x": "#B2182B", "y": "#053061"}  # as in the paper; colours of no surface
 COLOUR_BEFORE = "0.5"  # grey: the sphere before contact
-#: Shades of depths and, because black is for published values, also of preloads.
+#: Shades of depths in (a) and of preloads, whose published values are black.
 DEPTH_COLOURS = mpl.colormaps["Purples"]
 PRELOAD_STYLES = ("-", "-.", ":")  # dashed lines are published
 SIZES = {  # title, axis label, name of the published constant
