@@ -161,8 +161,8 @@ def _open_reader(content: bytes) -> Any:
         if unit_match is None:
             raise
         raise RefusedFile(
-            f"expected heights, found values in {unit_match[1] or unit_match[2]!r}, which is no unit "
-            "of length: save the heights in place of them"
+            f"expected heights, found values in {unit_match[1] or unit_match[2]!r}, which is no "
+            "unit of length: save the heights in place of them"
         ) from None
     if not has_channels:
         raise RefusedFile(f"expected a file with heights, found {_describe_unread(content, '')}")
