@@ -52,8 +52,8 @@ def user_scan(size=2500.0, pixels=512, rms=17.0, surface="a", **others):
     )  # fmt: skip
 
 
-def contact(radius=250e3, preload=1e-5, hardness=25e9, rho=5.6):
-    """Return a sphere and its load; the paper's unless others are given."""
+def user_contact(radius=250e3, preload=1e-5, hardness=25e9, rho=5.6):
+    """Return a contact; the paper's unless other quantities are given."""
     return Contact(radius=radius, preload=preload, hardness=hardness, rho=rho)
 
 
@@ -97,23 +97,23 @@ BALL = [user_scan(size, rms=1.0, surface="sphere") for size in (2500, 2500, 6000
 )  # fmt: skip
 def test_contacts_are_made_on_scans_that_hold_and_resolve_the_summits(scans, radius, size_counts):
     sphere = "sphere" if scans[-1].scan_file.surface == "sphere" else None
-    sizes = all_search_sizes(scans, sphere, contact(radius))
-    selected_scans, _ = select_contact_scans(scans, sphere, contact(radius), sizes)
+    sizes = all_search_sizes(scans, sphere, user_contact(radius))
+    selected_scans, _ = select_contact_scans(scans, sphere, user_contact(radius), sizes)
     assert Counter(round(scan.size) for scan in selected_scans) == size_counts
 
 
 # Keys of the study
 
 
-def both_efforts(settings, proposal):
+def both_efforts(contact, proposal):
     """Return the configurations of the study and of its quick effort."""
     named_keys = {
         "study": "own",
         "published": "none",
         "sphere.surface": "smooth",
-        "sphere.radius": f"{settings.radius:.12g} nm",
-        "contact.preload": f"{settings.preload:.12g} N",
-        "contact.hardness": f"{settings.hardness:.12g} Pa",
+        "sphere.radius": f"{contact.radius:.12g} nm",
+        "contact.preload": f"{contact.preload:.12g} N",
+        "contact.hardness": f"{contact.hardness:.12g} Pa",
     }
     full = named_keys | values_by_key(proposal.choices)
     quick = full | values_by_key(proposal.quick)
@@ -135,46 +135,49 @@ def random_scans(draw):
     return [user_scan(size, pixels, rms, reliable_band=band)] * draw(st.integers(1, 5))
 
 
-def check_refusal(line, scan, settings):
+def check_refusal(line, scan, contact):
     """Check with independent bounds that the study could not accept a refused value."""
-    area = 1e18 * settings.preload / settings.hardness
+    area = 1e18 * contact.preload / contact.hardness
     if line.startswith("surface a: expected a height map"):
         assert scan.pixel_size < 0.05
-    elif line.startswith("config key adhesion.range"):
-        pixels = 2 * scan.pixel_size**2 / settings.radius
-        depth = math.sqrt(area)
-        assert max(pixels, scan.relief / 500, depth / 25) > 39.9, line
-    elif line.startswith("config key adhesion.ranges"):  # two pixels in an interaction radius
-        assert 2 * scan.pixel_size**2 / settings.radius > 39.9, line
+    elif line.startswith("config key adhesion.range"):  # or adhesion.ranges
+        # Two pixels in an interaction radius, relief of 500 ranges, depth of 25 ranges.
+        two_pixel_range = 2 * scan.pixel_size**2 / contact.radius
+        shortest_range = max(two_pixel_range, scan.relief / 500, math.sqrt(area) / 25)
+        assert shortest_range > 39.9, line  # The longest proposed range is 40 nm, rounded.
     else:
-        window = min(2 * scan.size, 2 * math.sqrt(28 * settings.radius * settings.rho))
-        # What 16 contacts with a hundred images of each pixel keep in memory.
-        permitted_pixels = area / scan.pixel_size**2 / (2**26 / 16 / 100)
+        # At the border of a window the sphere is at most 14 ranges above its apex on smooth scans.
+        window = min(2 * scan.size, 2 * math.sqrt(2 * contact.radius * 14 * contact.rho))
+        # As many as memory holds for 16 contacts, with a hundred images of each pixel.
+        max_pixels = 2**26 / 16 / 100
         assert line.startswith("config key contact.preload") and (
-            area / window**2 > 0.15 or permitted_pixels > 1
-        ), line
+            area > 0.15 * window**2 or area > max_pixels * scan.pixel_size**2
+        ), line  # The limit is a quarter of the window; 0.15 leaves a margin for its rounding.
 
 
 @settings(max_examples=40, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
 @given(
     random_scans(),
     st.builds(
-        contact, random_between(1e3, 5e6), random_between(1e-9, 1e-3), random_between(1e8, 1e12)
+        user_contact,
+        random_between(1e3, 5e6),
+        random_between(1e-9, 1e-3),
+        random_between(1e8, 1e12),
     ),
 )
-def test_any_scan_gives_a_valid_study_or_a_justified_refusal(scans, settings):
+def test_any_scan_gives_a_valid_study_or_a_justified_refusal(scans, contact):
     try:
-        proposal = propose_keys(scans, None, settings)
+        proposal = propose_keys(scans, None, contact)
         extents = {scan.scan_file.surface: scan.extent for scan in proposal.contact_scans}
-        for config in both_efforts(settings, proposal):
+        for config in both_efforts(contact, proposal):
             refuse_unfit_values(config, extents)
     except ValueError as error:
         for line in str(error).splitlines():
-            check_refusal(line, scans[0], settings)
+            check_refusal(line, scans[0], contact)
 
 
 def test_scans_like_the_paper_s_get_about_its_grids():
-    config, _ = both_efforts(contact(), propose_keys([user_scan()] * 5, None, contact()))
+    config, _ = both_efforts(user_contact(), propose_keys([user_scan()] * 5, None, user_contact()))
     short_side, long_side = config["band"]["short"], config["band"]["long"]
     assert config["contact"]["window"] == pytest.approx(12500, rel=0.01)
     assert (
@@ -188,10 +191,10 @@ def test_scans_like_the_paper_s_get_about_its_grids():
 
 @pytest.mark.parametrize("preload", [5e-6, 20e-6, 25e-6])
 def test_ranges_of_adhesion_lie_apart_however_short_a_range_scans_permit(preload):
-    """Their shortest range grows with the depth of the contact, sqrt(preload/hardness)/25."""
-    settings = contact(radius=5e3, preload=preload, hardness=5e9, rho=3.0)
+    """Their shortest range is a 25th of the depth of the contact, sqrt(preload/hardness)."""
+    contact = user_contact(radius=5e3, preload=preload, hardness=5e9, rho=3.0)
     for config in both_efforts(
-        settings, propose_keys([user_scan()], None, settings, range_given=True)
+        contact, propose_keys([user_scan()], None, contact, range_given=True)
     ):
         ranges = np.array(config["adhesion"]["ranges"])
         assert 3.0 in ranges and len(ranges) in (5, 12)
@@ -201,38 +204,41 @@ def test_ranges_of_adhesion_lie_apart_however_short_a_range_scans_permit(preload
 @pytest.mark.parametrize(("shortest", "transition"), [(120.0, "120 nm"), (2000.0, "1000 nm")])
 def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transition):
     scan = user_scan(reliable_band=ReliableBand(shortest, 833.0, "tip"))
-    choices = propose_keys([scan], None, contact()).choices
+    choices = propose_keys([scan], None, user_contact()).choices
     assert {choice.key: choice.value for choice in choices}["band.short.transition"] == transition
 
 
 @pytest.mark.parametrize(
-    ("scan", "settings", "message_parts"),
+    ("scan", "contact", "message_parts"),
     [
-        (user_scan(reliable_band=BLIND), contact(), ["reliable at no wavelength: the tip at 3 µm"]),
+        (user_scan(reliable_band=BLIND), user_contact(), ["at no wavelength: the tip at 3 µm"]),
         # For a relief of 5600 nm, exponentials overflow at ranges below 11.2 nm.
-        (user_scan(20000, rms=700.0), contact(), ["11.2 nm, not the usual 5.6 nm"]),
+        (user_scan(20000, rms=700.0), user_contact(), ["11.2 nm, not the usual 5.6 nm"]),
         # erf(1000 nm / sqrt(2 R rho))^2 of the smooth sphere's force lie in a window of 2 um.
         (
-            user_scan(100, rms=4.7), contact(),
+            user_scan(100, rms=4.7), user_contact(),
             [f"{math.erf(1000 / math.sqrt(2 * 250e3 * 5.6)) ** 2:.0%} of the force",
              "8 to 17 times too high on scans of 12% of this size, the smallest tested"],
         ),
         # 20 nm² are less than a pixel of 19.5 nm.
         (
-            user_scan(10000), contact(radius=5e3, preload=100e-9, hardness=5e9, rho=2.0),
+            user_scan(10000), user_contact(radius=5e3, preload=100e-9, hardness=5e9, rho=2.0),
             ["less than a pixel"],
         ),
         (
-            user_scan(10000, rms=14, undefined_count=512**2 * 3 // 10), contact(),
+            user_scan(10000, rms=14, undefined_count=512**2 * 3 // 10), user_contact(),
             ["30% of its pixels"],
         ),
-        (user_scan(defects={"highest": {"highest_share": 0.1}}), contact(), ["one.nc: 10 % of"]),
+        (
+            user_scan(defects={"highest": {"highest_share": 0.1}}), user_contact(),
+            ["one.nc: 10 % of"],
+        ),
     ],
 )  # fmt: skip
-def test_scans_that_spoil_the_forces_have_a_caution_with_numbers(scan, settings, message_parts):
-    assert_says(" ".join(propose_keys([scan], None, settings).cautions), *message_parts)
+def test_scans_that_spoil_the_forces_have_a_caution_with_numbers(scan, contact, message_parts):
+    assert_says(" ".join(propose_keys([scan], None, contact).cautions), *message_parts)
     few_gaps = user_scan(10000, rms=14, undefined_count=99)
-    assert not propose_keys([few_gaps], None, contact()).cautions
+    assert not propose_keys([few_gaps], None, user_contact()).cautions
 
 
 @pytest.mark.parametrize(("radius", "stated"), [(50e3, 250e3), (50e3, 60e3), (50e3, 40e3)])
@@ -245,25 +251,29 @@ def test_a_stated_radius_that_the_scan_of_the_sphere_contradicts_is_questioned(r
     ball = replace(ball, scan_file=ScanFile("sphere", "sphere", "ball.nc", "ball.nc", stated))
     (caution,) = [
         line
-        for line in propose_keys([user_scan(), ball], "sphere", contact(stated)).cautions
+        for line in propose_keys([user_scan(), ball], "sphere", user_contact(stated)).cautions
         if "contradicts" in line
     ]
     assert_says(caution, f"--radius {stated / 1e3:g} µm", f"{radius / 1e3:g} µm")
 
 
 @pytest.mark.parametrize(
-    ("scans", "settings", "message_parts"),
+    ("scans", "contact", "message_parts"),
     [
-        ([user_scan(1e5, 3000, kind="line scan")], contact(), ["surface a: expected a height map"]),
-        ([user_scan(0.5)], contact(), ["0.05 to 10000 nm"]),  # pixels of 1 pm
+        (
+            [user_scan(1e5, 3000, kind="line scan")],
+            user_contact(),
+            ["surface a: expected a height map"],
+        ),
+        ([user_scan(0.5)], user_contact(), ["0.05 to 10000 nm"]),  # pixels of 1 pm
         (
             [user_scan(100), user_scan(1e5, surface="b")],
-            contact(),
+            user_contact(),
             ["100 nm on a and pixels of 195 nm on b"],
         ),
     ],
 )
-def test_unsuitable_scans_are_refused_in_one_line_each(scans, settings, message_parts):
-    message = refusal(propose_keys, scans, None, settings)
+def test_unsuitable_scans_are_refused_in_one_line_each(scans, contact, message_parts):
+    message = refusal(propose_keys, scans, None, contact)
     assert_says(message, *message_parts)
     assert len(message.splitlines()) == len(message_parts)

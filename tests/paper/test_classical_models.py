@@ -18,7 +18,7 @@ def test_rumpf_s_force_has_the_limits_of_plane_and_asperity():
     force = classical_models.rumpf(WORK, np.array([1e-9, 1e-3, 1e15]), SPHERE)
     assert force[0] == pytest.approx(smooth) == pytest.approx(force[2])
     large = classical_models.rumpf(WORK, 1e3, SPHERE)  # the plane is too far to attract
-    asperity = hertz_jkr_dmt.dmt_pull_off(WORK, 1e3 * RADIUS / 251e3)
+    asperity = hertz_jkr_dmt.dmt_pull_off(WORK, 1e3 * RADIUS / (RADIUS + 1e3))
     assert large == pytest.approx(asperity, rel=1e-3)
 
 
@@ -29,13 +29,14 @@ def test_rabinovich_s_force_has_the_limits_of_plane_and_asperity():
 
     smooth = hertz_jkr_dmt.dmt_pull_off(WORK, RADIUS)
     assert force(1e-12, 500.0) == pytest.approx(2 * smooth)
-    caps = 500.0**2 / (32 * classical_models.PEAK_OVER_RMS * 50.0)  # their radius
-    single = classical_models.rumpf(WORK, caps, SPHERE._replace(spacing=1e-6))
+    # A cap is half as wide as the distance of peaks, 500 nm, for an rms height of 50 nm.
+    cap_radius = (500.0 / 4) ** 2 / (2 * classical_models.PEAK_OVER_RMS * 50.0)
+    single = classical_models.rumpf(WORK, cap_radius, SPHERE._replace(spacing=1e-6))
     assert force(50.0, 500.0) == pytest.approx(single, rel=0.05)
     assert force(50.0, 1e12) == pytest.approx(smooth, rel=1e-4)
 
 
-def relative(model, index):
+def relative_pull_off(model, index):
     """Pull-off force at this elastic adhesion index, relative to that of a smooth sphere."""
     height = index ** (2 / 3) * (WORK * np.sqrt(1e-9) / MODULUS) ** (2 / 3) / 1e-9
     roughness = Roughness(height, np.nan, 1.0)
@@ -47,14 +48,14 @@ def relative(model, index):
 @pytest.mark.parametrize("index", [0.02, 0.5, 3.0])
 def test_dmt_asperities_match_brute_force(index):
     def tension(separation):
-        def force(z):  # of an asperity, relative to 2πβW
+        def force(z):  # of an asperity of radius β, relative to 2πβW
             density = exp(-(z**2) / 2) / sqrt(2 * pi)
             return (1 - 2 * index * (z - separation) ** 1.5 / (3 * pi)) * density
 
         return quad(force, separation, 12, limit=200)[0]
 
     greatest = max(tension(separation) for separation in np.linspace(-4.5, 4, 171))
-    assert relative("maugis", index) == pytest.approx(greatest, rel=2e-3)
+    assert relative_pull_off("maugis", index) == pytest.approx(greatest, rel=2e-3)
 
 
 @pytest.mark.parametrize("index", [0.02, 0.5, 3.0])
@@ -71,7 +72,7 @@ def test_jkr_asperities_match_brute_force(index):
 
     separations = np.linspace(-6, 6 + 2 / spread, 401)
     greatest = max(mean(separation) for separation in separations)
-    assert relative("fuller_tabor", index) == pytest.approx(greatest, rel=2e-3)
+    assert relative_pull_off("fuller_tabor", index) == pytest.approx(greatest, rel=2e-3)
 
 
 def test_without_roughness_every_model_has_the_force_of_its_smooth_sphere():

@@ -49,7 +49,7 @@ def test_an_endless_interval_is_left_out():
         (Number("edge", NAN, "nm", status="no_band"), "not found: no cutoff changes the force"),
         (Number("edge", NAN, "nm"), "not known"),
         (number_without_value("size", 1.0, 2.0), "1 to 2"),
-        (number_without_value("size", 1.0, NAN), "more than 1"),
+        (number_without_value("size", 1.0, NAN), "at least 1"),
         (number_without_value("size", NAN, 2.0), "at most 2"),
     ],
 )  # fmt: skip

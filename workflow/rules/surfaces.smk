@@ -1,6 +1,6 @@
 # The surfaces of the study, and the lists of their files.
 #
-# Names that the rules of several files use:
+# Names that the rules of several files use, besides those of common.smk:
 #   SELECTION          the surfaces of the table, with their labels, scans and source files
 #   LABELS_AND_SOURCES the label of each surface, and whether it was measured or is a substitute
 #   PLAN               which scans, bodies and positions contacts are made on, with their settings
@@ -23,7 +23,7 @@ from hardcontact.records.code import write_pins
 from hardcontact.run import preparation
 
 SELECTION = preparation.checked_selection(workflow, STUDY)
-write_pins()  # Only now, because a run that is refused writes nothing.
+write_pins()  # Write the pinned versions only now: a run that is refused writes nothing.
 LABELS_AND_SOURCES = {"labels": SELECTION.labels, "source": SELECTION.sources}
 PLAN = StudyPlan(STUDY, SELECTION)
 FILES = SurfaceFiles(PLAN)

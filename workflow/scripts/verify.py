@@ -1,4 +1,4 @@
-"""Print the files of a study that do not match their inputs."""
+"""Print the changed or missing files of a study, and those without a record or right inputs."""
 
 import sys
 

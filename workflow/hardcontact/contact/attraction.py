@@ -28,7 +28,8 @@ CARRIED_SHARE = 0.9
 def trace_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> xr.Dataset:
     """Return the gap, adhesive pressure and force of one plastic contact of the array.
 
-    Gaps are negative where rigid bodies would overlap, forces because they attract.
+    Gaps are negative where rigid bodies would overlap. The ``force`` is negative, because it
+    attracts; adhesive pressure and ``pull_off_force`` are positive.
     """
     pixel_size = bodies.geometry.pixel_size
     rho = contact.rho
@@ -84,6 +85,7 @@ def asperity_sizes(
     """
     total = attraction.sum()
     is_carrier = attraction >= least_carrying_attraction(attraction, share)
+    # The box around all carriers makes labelling faster.
     box = ndimage.find_objects(is_carrier.view(np.int8))[0]
     label, count = ndimage.label(is_carrier[box], structure=np.ones((3, 3)))
     shares = np.sort(np.bincount(label.ravel(), attraction[box].ravel())[1:])[::-1] / total

@@ -29,13 +29,13 @@ MASTERS_PER_JOB = 5
 #: A real scan has waves longer than itself and does not continue at its borders; a larger surface
 #: would imitate this better, but takes more memory.
 RANDOM_SURFACE_WIDTH_RATIO = 4
-#: Bytes per pixel of a master when most memory is used: three maps in float32, or one map's
-#: transform in single precision and two maps. 13.2 were measured at 8192², and writing the file may
-#: need another map.
+#: Bytes per pixel of a master when most memory is used, rounded: 13.2, measured at 8192² (three
+#: maps in float32, or one map's transform in single precision and two maps), and 4 of another map,
+#: which writing the file may need.
 BYTES_PER_PIXEL = 17.0
 #: Megabytes of Python, its packages, the scan, and blocks of rows in double precision.
 BASE_MEGABYTES = 500
-#: Megabytes of a job on small masters, with Snakemake beside it.
+#: Least memory (MB) that a job on masters reserves; on a cluster Snakemake runs in it, too.
 MINIMUM_MEGABYTES = 3000
 
 
@@ -56,7 +56,7 @@ class Purpose(NamedTuple):
     masters_are_files: bool = False  #: Whether masters are files of the store.
     samples_spectra: bool = False  #: Whether each master has a sampled spectrum.
     rough_sphere: bool = True  #: Whether a study with a rough sphere uses it here.
-    stream: str = "variant"  #: Name of the random numbers in masters: all of sets have the same.
+    stream: str = "variant"  #: Name of the random stream: one for all masters of the sets.
     sides: Sequence[str] = SIDES
     radii_key: str = "sphere.radius"  #: Key of the radius of the sphere, or of several radii.
     preload_shares: Sequence[float] = (1,)  #: Loads, relative to the preload of the study.
@@ -74,8 +74,9 @@ PURPOSES = {
     "sampled": _BAND._replace(samples_spectra=True),
     # The edges of each set of substitutes.
     "sets": Purpose("sets.masters"),
-    # How the edges depend on radius and load, on a smooth sphere. At an eighth of the preload the
-    # contact still has some 30 pixels; larger loads move short edges beyond the cutoffs of sets.
+    # How the edges depend on radius and load, on a smooth sphere. At an eighth of the paper's
+    # preload the contact still has some 30 pixels on short-edge masters, and 3 on long-edge ones;
+    # larger loads move short edges beyond the cutoffs of sets.
     "exponents": Purpose(
         "exponents.masters", rough_sphere=False, radii_key="exponents.radii",
         preload_shares=(1 / 8, 1),
@@ -177,7 +178,7 @@ def _random_surface_kinds(study: Mapping[str, Any]) -> dict[str, StoreKind]:
     return {
         # Forces on whole substitute surfaces, also with each octave changed.
         "whole_surfaces": StoreKind({**whole_surface, "ranges": whole_ranges}),
-        # Forces on the band alone: a result, which is not in the store.
+        # Forces on the band alone: a result outside the store, whose rule takes its settings here.
         "band_forces": StoreKind(whole_surface),
         # Forces on scans for the sets, without and with features.
         "pool": StoreKind({**set_scan, "rms_height_count": study["sets"]["rms_height_count"]}),

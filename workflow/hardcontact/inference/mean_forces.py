@@ -34,9 +34,9 @@ class SurfaceForces(NamedTuple):
     """Mean forces of one surface in one contact model, over scans of both bodies and contacts."""
 
     ranges: Floats  #: (rho,) Ranges of adhesion in nm.
-    mean: Floats  #: (rho,) Mean force in N, at the work of adhesion of the single forces.
+    mean: Floats  #: (rho,) Mean force in N, at the work of adhesion of the input.
     delete_one_log_means: Floats  #: (rho, part) Logarithms of the mean of all parts but one.
-    scan_parts: list[ScanParts]  #: (rho,) The same parts; they correlate more at longer ranges.
+    scan_parts: list[ScanParts]  #: (rho,) Equal parts, whose correlation grows with the range.
     log_force_std: Floats  #: (rho,) Standard deviation of ln F over single contacts.
     #: (rho,) Variance of ln(mean) at a new position on a rough sphere; None for a single position.
     position_variance: Variance | None
@@ -86,7 +86,7 @@ def _position_variance(forces: xr.DataArray) -> Variance | None:
     count = forces.sizes["sphere_scan"]
     if count < 2:
         return None
-    # The variance of one position and of the mean over positions.
+    # The variances of a new position and of the mean over the computed positions add.
     position_means = forces.mean(["scan", *CONTACT_AXES]).transpose("rho", "sphere_scan").values
     return Variance((1 + 1 / count) * np.log(position_means).var(axis=1, ddof=1), count - 1)
 
@@ -204,6 +204,6 @@ def half_width_over_masters(
         variances.append(Variance(logarithms.var(axis=0, ddof=1) / count, count - 1))
     shifts = forces.get(shift_name)
     if shifts is not None and shifts.notnull().any():
-        # Another spectrum moves all realizations at once: no mean of the shifts is subtracted.
+        # A shift is the change by a newly sampled spectrum: its mean square is the variance.
         variances.append(Variance((shifts**2).mean("realization").values, count))
     return interval_half_width(variances, confidence)

@@ -57,7 +57,7 @@ def number_of(
 
 
 def number_without_value(name: str, low: float, high: float, unit: str = "1") -> Number:
-    """Return a number of which only one end or both ends of its interval are known."""
+    """Return a number without a value, with the ends of its interval that are known, if any."""
     is_known = math.isfinite(low) or math.isfinite(high)
     status = NumberStatus.ONLY_ENDS if is_known else NumberStatus.NOT_KNOWN
     return Number(name, math.nan, unit, low, high, status)
@@ -99,9 +99,7 @@ def answer_text(answer: Mapping[str, Any]) -> str:
 
 def format_number(number: Number, digits: int = 3, end: str = "") -> str:
     """Return a known number with its interval, "67 [47, 74] nm", or its "low" or "high" end."""
-    open_end = ""
-    if number.status.startswith("interval_open_"):
-        open_end = number.status.removeprefix("interval_open_")
+    _, _, open_end = number.status.partition("interval_open_")
     if end:
         number = Number(number.name, getattr(number, end), number.unit)
     print_number = format_quantity if number.unit in PRINTED_UNITS else format_as_paper
@@ -118,14 +116,14 @@ def describe_number(number: Number, digits: int = 3) -> str:
         low, high = (format_number(number, digits, end) for end in ("low", "high"))
         return low if low == high else f"{low} to {high}"
     if has_low:
-        return f"more than {format_number(number, digits, 'low')}"
+        return f"at least {format_number(number, digits, 'low')}"
     if has_high:
         return f"at most {format_number(number, digits, 'high')}"
     return NO_VALUE_WORDS.get(number.status, "not known")
 
 
 def describe_without_interval(number: Number) -> str:
-    """Return a number in words without its interval, with the digits that it has beside it."""
+    """Return a number in words without its interval, with two digits, as beside its interval."""
     return re.sub(r" \[[^]]*\]| \(.*\)", "", describe_number(number, 2))
 
 

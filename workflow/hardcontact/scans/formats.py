@@ -29,8 +29,8 @@ from hardcontact.scans.plain_text import POINT_COLUMNS
 NOT_GIVEN = "none"
 #: Metadata that a container may state, by their names as arguments of a reader.
 KEY_BY_ARGUMENT = {"physical_sizes": "size", "unit": "unit", "height_scale_factor": "height_scale"}
-#: The reader takes spacings as equal if they differ by less than 1e-6 of the unit of a text, such
-#: as 1 µm if it is m. Line scans with finer spacings than this, in units, need zero tolerance.
+#: Line scans with a finer spacing than this, in the unit of the text, are read with zero tolerance:
+#: the reader's tolerance, 1e-6 of the unit, would be over 1 % of the spacing.
 MAX_TOLERATED_SPACING = 1e-4
 #: "Tip radius: 8 nm", "Initial tip radii - 17 nm" and the like in the description of a container.
 TIP_RADIUS_IN_WORDS = re.compile(
@@ -42,16 +42,18 @@ def read_fields(
     content: bytes, dataset: str, undefined_pixels: str, unit: str, map_size: float | str, mask: str
 ) -> dict[str, Any]:
     """Return fields of a `HeightMap`; the arguments are those of `api.read_scan`."""
-    reader, entry, notes = open_scan(content, dataset)
+    reader, container_metadata, notes = open_scan(content, dataset)
     unit = unit.replace("angstrom", "Å")
-    channel, channel_notes = _find_height_channel(reader, entry, "" if entry else dataset)
+    channel, channel_notes = _find_height_channel(
+        reader, container_metadata.get("data_source"), "" if container_metadata else dataset
+    )
     topography, used_metadata = _read_topography(
-        channel, entry or _user_metadata(channel, unit, map_size)
+        channel, container_metadata or _user_metadata(channel, unit, map_size)
     )
     _refuse_without_unit_or_size(topography)
     notes += channel_notes
     if used_metadata:
-        source = "stated by the container" if entry else "given by the user"
+        source = "stated by the container" if container_metadata else "given by the user"
         notes.append(f"{', '.join(used_metadata)} ({source})".replace("_", " "))
     if mask == "keep" and isinstance(reader, GWYReader):
         topography, mask_notes = _keep_marked_pixels(topography)
@@ -63,13 +65,14 @@ def read_fields(
         find_fields = map_fields if is_map else line_scan_fields
         fields = find_fields(topography, unit_in_nm(topography.unit), undefined_pixels)
     except RefusedFile as error:
+        # Only if the unit came from the user.
         remedy = "; --unit mm,nm (scan.unit: mm,nm) gives positions and heights a unit each"
         raise RefusedFile(f"{error}{remedy if unit == topography.unit else ''}") from None
-    if not entry:
+    if not container_metadata:
         notes += _notes_on_unused_options(channel, unit, map_size)
-    tip_radius, tip_notes = find_tip_radius(topography.info, entry)
+    tip_radius, tip_notes = find_tip_radius(topography.info, container_metadata)
     return {
-        "dataset": dataset if entry or len(reader.channels) > 1 else "",
+        "dataset": dataset if container_metadata or len(reader.channels) > 1 else "",
         "channel": channel.name,
         "file_unit": topography.unit,
         "tip_radius": tip_radius,
@@ -97,7 +100,7 @@ def _aspect_cautions(topography: Any) -> list[str]:
     if abs(pixel_width / pixel_height - 1) <= MAX_ASPECT_DEVIATION:
         return []
     return [
-        f"{TAKE_CARE}the pixels of this text are not square: so they are if lines are missing, and "
+        f"{TAKE_CARE}the pixels of this text are not square, perhaps because lines are missing: "
         f"heights are then stretched {pixel_height / pixel_width:.3g} times along y"
     ]
 
@@ -202,10 +205,9 @@ def _accepted_arguments(channel: Any, metadata: dict[str, Any]) -> dict[str, Any
     return arguments
 
 
-def _find_height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any, list[str]]:
+def _find_height_channel(reader: Any, container_index: Any, name: str) -> tuple[Any, list[str]]:
     """Return the channel of heights that user, container or reader choose, and notes."""
     channels = reader.channels
-    container_index = entry.get("data_source")
     if container_index is not None and container_index not in range(len(channels)):
         raise RefusedFile(
             f"expected a data_source from 0 to {len(channels) - 1} in the container, "

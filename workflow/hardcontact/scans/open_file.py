@@ -76,7 +76,7 @@ def list_datasets(content: bytes) -> dict[str, Any]:
 
 
 def open_scan(content: bytes, dataset: str) -> tuple[Any, dict[str, Any], list[str]]:
-    """Return a reader with channels, the metadata of a scan in a container or {}, and notes."""
+    """Return a reader with channels, the metadata from a container ({} if in none), and notes."""
     content = _decompress(content)
     entries = _container_entries(content)
     entry: dict[str, Any] = {}

@@ -83,7 +83,7 @@ def smooth_force(contact: Contact) -> float:
 
 
 def surface_term(apex_level: ArrayLike, relative_rms: ArrayLike) -> Floats:
-    """Return the surface term, exp(s²/2 - ts) times the normal distribution at t - s."""
+    """Return the surface term exp(s²/2 - ts) Φ(t - s) at levels t and relative rms heights s."""
     t = np.asarray(apex_level)
     s = np.asarray(relative_rms)
     return np.asarray(np.exp(s**2 / 2 - t * s + special.log_ndtr(t - s)))

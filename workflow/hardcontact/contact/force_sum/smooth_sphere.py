@@ -1,4 +1,4 @@
-"""Sums over a smooth sphere: a matrix product, because exp(-y/rho) is a product over both axes.
+"""Sums over a smooth sphere: matrix products, because exp(-y/rho) is a product over both axes.
 
 `geometry` defines the heights y of the sphere and z of the substrate.
 """

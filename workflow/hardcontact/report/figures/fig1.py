@@ -13,7 +13,7 @@ MAPS_PER_ROW = 3
 
 
 def draw(topography: xr.Dataset) -> Figure:
-    """Draw Fig. 1: a levelled scan of each substrate, and the sphere with and without curvature."""
+    """Draw Fig. 1: a levelled scan of each substrate, and the sphere with and without its shape."""
     sphere = topography.attrs["sphere_surface"]
     colours = style.surface_colours(topography["surface"].values, sphere)
     levelled = topography["example_heights"]

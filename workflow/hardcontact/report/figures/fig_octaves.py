@@ -1,4 +1,4 @@
-"""Octaves: which wavelengths the force follows, and whether the published band suffices."""
+"""Octaves: which wavelengths the force follows, and whether those of two bands suffice."""
 
 import numpy as np
 import pandas as pd

@@ -76,7 +76,7 @@ def report_pages(
 ) -> dict[str, str]:
     """Return the report's pages as HTML by name: `claims`, each chapter, `parameters`.
 
-    `claims` comes from `read_judged_claims`, `changed_inputs` from the function of this name.
+    `claims` comes from `read_judged_claims`, `changed_inputs` from `paper.changed_inputs`.
     `chapters` are texts in Markdown by page.
     """
     confidence = configuration["intervals"]["confidence"]
@@ -137,11 +137,11 @@ def _keep_units(tokens: Sequence[Token]) -> None:
 def _set_anchors(tokens: Sequence[Token]) -> list[tuple[str, str]]:
     """Set the anchor of each heading, as GitHub does; return the anchors and headings."""
     sections = []
-    for token, content in pairwise(tokens):
-        if token.type == "heading_open":
-            anchor = re.sub(r"[^\w\- ]", "", content.content.lower()).replace(" ", "-")
-            token.attrSet("id", anchor)
-            sections.append((anchor, content.content))
+    for opening, inline in pairwise(tokens):
+        if opening.type == "heading_open":
+            anchor = re.sub(r"[^\w\- ]", "", inline.content.lower()).replace(" ", "-")
+            opening.attrSet("id", anchor)
+            sections.append((anchor, inline.content))
     return sections
 
 
@@ -149,15 +149,15 @@ def _label_cells(tokens: Sequence[Token]) -> None:
     """Label the cells of tables with the headings of their columns, which narrow pages show."""
     labels: list[str] = []
     column = 0
-    for token, content in pairwise(tokens):
-        if token.type == "table_open":
-            token.attrSet("class", "stacked")
+    for opening, inline in pairwise(tokens):
+        if opening.type == "table_open":
+            opening.attrSet("class", "stacked")
             labels = []
-        elif token.type == "tr_open":
+        elif opening.type == "tr_open":
             column = 0
-        elif token.type == "th_open":
-            token.attrSet("scope", "col")
-            labels.append(content.content)
-        elif token.type == "td_open":
-            token.attrSet("data-label", labels[column])
+        elif opening.type == "th_open":
+            opening.attrSet("scope", "col")
+            labels.append(inline.content)
+        elif opening.type == "td_open":
+            opening.attrSet("data-label", labels[column])
             column += 1
