@@ -29,7 +29,8 @@ FINEST_PIXEL_SIZE = 0.15
 #: Numbers of contacts per row of the array. Even ones fall evenly on the quarters of a scan.
 CONTACTS_PER_ROW_CHOICES = (20, 16, 12, 10, 8, 6, 4)
 #: Seconds that the contacts of one filtered surface may take. Chosen: the 150 filtered surfaces of
-#: a scan at full effort then take at most 5 minutes of processor time, whatever the scan.
+#: a scan at full effort then take at most 5 minutes of processor time, unless even the fewest
+#: contacts take longer.
 MAX_CONTACT_SECONDS = 2.0
 #: Measured seconds for a contact pixel in one period of the map.
 SECONDS_A_PIXEL = 4e-7
@@ -63,6 +64,9 @@ def choose_contact(
     if shortest > contact.rho and not range_given:
         contact = replace(contact, rho=max(contact.rho, min(shortest, LONGEST_RANGE)))
         range_reason = f"the least on these scans, where {reason}"
+        if shortest > LONGEST_RANGE:
+            permitted = f"these scans permit {shortest:.3g} nm or more, because {reason}"
+            range_reason = f"the longest that is proposed, but {permitted}"
         # A longer range needs a wider window, which does not raise the shortest range.
         window, window_reason = _window_on_scans(scans, contact)
     return PermittedContact(replace(contact, window=window), shortest, window_reason, range_reason)
@@ -88,16 +92,16 @@ def _shortest_range(
 ) -> tuple[float, str]:
     """Return the shortest range of adhesion (nm) that scans and masters permit, and the reason."""
     scans_per_row = master_scans_per_row(substrates, window, max_pixels)
-    permitted_ranges = [minimum_range(contact.radius, window, scan.extent) for scan in scans]
+    limits_and_reasons = [minimum_range(contact.radius, window, scan.extent) for scan in scans]
     for scan in substrates:
         master = scan.extent._replace(size=scan.size * scans_per_row)
-        permitted_ranges.append(minimum_range(contact.radius, window, master))
+        limits_and_reasons.append(minimum_range(contact.radius, window, master))
         depth = penetration_depth(contact, scan.relief)
         depth_reason = f"the preload presses the bodies some {depth:.3g} nm into each other"
         # Half a per cent more, so that rounding to three digits gives no shorter range.
         shortest = float(f"{1.005 * depth / PENETRATION_OVER_RANGE:.3g}")
-        permitted_ranges.append((shortest, depth_reason))
-    return max(permitted_ranges)
+        limits_and_reasons.append((shortest, depth_reason))
+    return max(limits_and_reasons)
 
 
 def master_scans_per_row(substrates: Sequence[UserScan], window: float, max_pixels: int) -> int:
@@ -112,15 +116,15 @@ def master_scans_per_row(substrates: Sequence[UserScan], window: float, max_pixe
 def short_edge_pixels(scan: UserScan, contact: Contact, max_pixels: int) -> int:
     """Return the pixels per row of a scan's short-edge masters: as many as time permits."""
     pixels = 2 * scan.pixels
-    while 2 * pixels <= max_pixels:
-        pixel_size = scan.size / pixels  # of 2 * pixels on a master, which is two scans wide
+    while (finer_pixels := 2 * pixels) <= max_pixels:
+        pixel_size = 2 * scan.size / finer_pixels  # A master is two scans wide.
         seconds = _contact_seconds(scan, contact, pixel_size)
         if (
             pixel_size < FINEST_PIXEL_SIZE
             or CONTACTS_PER_ROW_CHOICES[-1] ** 2 * seconds > MAX_CONTACT_SECONDS
         ):
             break
-        pixels *= 2
+        pixels = finer_pixels
     return pixels
 
 

@@ -176,7 +176,12 @@ def _file_type_in_words(content: bytes, types: Mapping[str, tuple[bytes, ...]]) 
 
 def _describe_unread(content: bytes, reader_messages: str) -> str:
     """Describe a file that no reader takes, with the reasons of the readers of its type."""
-    file_type, reader_names = _file_type_and_readers(content)
+    is_zip = zipfile.is_zipfile(io.BytesIO(content))
+    file_type, reader_names = (_zip_and_readers if is_zip else _text_and_readers)(content)
+    if not file_type:
+        file_type = _file_type_in_words(content, TYPES_OFTEN_REFUSED)
+        matches = {reader.__name__: reader.can_read(content[:512]) for reader in readers}
+        reader_names = [name for name, match in matches.items() if match == MagicMatch.YES]
     reasons = {
         name: f"{name}: {' '.join(reason.split())[:200]}"
         for name, reason in READER_MESSAGE.findall(reader_messages)
@@ -187,28 +192,26 @@ def _describe_unread(content: bytes, reader_messages: str) -> str:
     return f"{'; '.join(reader_reasons) or 'one that none of its readers takes'}; {SAVE_AS_TEXT}"
 
 
-def _file_type_and_readers(content: bytes) -> tuple[str, list[str]]:
-    """Return the type of a file with the remedy, empty if unknown, and the names of its readers."""
-    if zipfile.is_zipfile(io.BytesIO(content)):
-        with zipfile.ZipFile(io.BytesIO(content)) as archive:
-            members = archive.namelist()
-        if "[Content_Types].xml" in members:
-            return f"a document of an office program: {SAVE_AS_TEXT}", []
-        if any(member.endswith("/main.xml") for member in members):
-            return "an X3P with files in a folder: zip them without the folder", ["X3PReader"]
-    else:
-        lines = content[: 2**16].decode("utf-8", "replace").splitlines()
-        if sum(NUMBERS.fullmatch(line) is not None for line in lines) > len(lines) / 2:
-            unit = VALUE_UNIT.search("\n".join(lines))
-            if unit and not is_length_unit(unit[1]):
-                return (
-                    f"a text of values in {unit[1]}, which is no unit of length: multiply them by "
-                    "the sensitivity of the instrument, and state the unit of the heights"
-                ), []
-            words = "a text that is neither a matrix of equal rows nor columns of points"
-            return words, ["AscReader"]
-    start = content[:512]
-    reader_names = [
-        reader.__name__ for reader in readers if reader.can_read(start) == MagicMatch.YES
-    ]
-    return _file_type_in_words(content, TYPES_OFTEN_REFUSED), reader_names
+def _zip_and_readers(content: bytes) -> tuple[str, list[str]]:
+    """Return the type of a zip file with the remedy, "" if unknown, and the name of its reader."""
+    with zipfile.ZipFile(io.BytesIO(content)) as archive:
+        members = archive.namelist()
+    if "[Content_Types].xml" in members:
+        return f"a document of an office program: {SAVE_AS_TEXT}", []
+    if any(member.endswith("/main.xml") for member in members):
+        return "an X3P with files in a folder: zip them without the folder", ["X3PReader"]
+    return "", []
+
+
+def _text_and_readers(content: bytes) -> tuple[str, list[str]]:
+    """Return the fault of a text of numbers, "" for other content, and the name of its reader."""
+    lines = content[: 2**16].decode("utf-8", "replace").splitlines()
+    if sum(NUMBERS.fullmatch(line) is not None for line in lines) <= len(lines) / 2:
+        return "", []
+    unit = VALUE_UNIT.search("\n".join(lines))
+    if unit and not is_length_unit(unit[1]):
+        return (
+            f"a text of values in {unit[1]}, which is no unit of length: multiply them by "
+            "the sensitivity of the instrument, and state the unit of the heights"
+        ), []
+    return "a text that is neither a matrix of equal rows nor columns of points", ["AscReader"]
