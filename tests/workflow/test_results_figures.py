@@ -49,7 +49,7 @@ def draw_checked(read_inputs):
             style.freeze_layout(figure)
             figure.draw_without_rendering()
         for key, data in inputs.items():
-            assert getattr(data, "identical", data.equals)(inputs_before[key]), key
+            assert data.equals(inputs_before[key]), key
         return figure
 
     return draw
@@ -173,7 +173,7 @@ def test_maps_are_those_of_the_dataset(draw_checked, read_inputs):
 
 
 def test_histograms_hold_all_forces_and_name_the_fitted_shape(draw_checked, read_inputs):
-    axes = draw_checked("fig3").axes[len(SUBSTRATES)]
+    axes = draw_checked("fig3").axes[len(SUBSTRATES)]  # the first surface, on logarithmic axes
     fit = read_inputs("fig3")["fit"].sel(PUBLISHED).isel(surface=0)
     assert f"here {fit.log_force_std.item():.2f}" in axes.get_title(loc="left")
     histograms = [patch.get_data() for patch in axes.patches if isinstance(patch, StepPatch)]
