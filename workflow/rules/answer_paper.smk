@@ -3,7 +3,7 @@
 # Names in capitals that are not defined here: common.smk.
 
 from hardcontact.records.code import ENVIRONMENT_PINS, code_inputs, page_templates
-from hardcontact.report.figures.listing import PAPER_FIGURES, caption
+from hardcontact.report.figures.listing import PAPER_FIGURES, render_description
 
 #: The datasets of the study whose numbers the answer has.
 DATASETS_OF_ANSWER = (
@@ -19,7 +19,7 @@ DATASETS_OF_ANSWER = (
 )
 
 for name in PAPER_FIGURES:
-    figure = caption(name, config)
+    figure = render_description(name, config)
 
     rule:
         """Draw a figure."""

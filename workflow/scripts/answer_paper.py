@@ -8,7 +8,7 @@ from hardcontact.config.user_files import read_yaml
 from hardcontact.paper.claims.verdicts import read_judged_claims
 from hardcontact.records.code import read_pins
 from hardcontact.records.job import run_job
-from hardcontact.report.figures.listing import caption
+from hardcontact.report.figures.listing import render_description
 from hardcontact.report.paper_study.answer import paper_answer
 from hardcontact.report.paper_study.pages import figures_page, paper_page, report_pages
 from hardcontact.report.paper_study.tables import table1_rows
@@ -20,7 +20,7 @@ with run_job(snakemake) as job:
     datasets = {Path(path).stem: read_dataset(path) for path in job.input.datasets}
     figures = {Path(path).stem: Path(path).read_bytes() for path in job.input.figures}
     chapters = {Path(path).stem: Path(path).read_text("utf-8") for path in job.input.chapters}
-    captions = {name: caption(name, configuration) for name in figures}
+    captions = {name: render_description(name, configuration) for name in figures}
     citation = read_yaml(job.input.citation)
     table1 = published.read_table1(job.input.published_table1)
     claims = read_judged_claims(job.input.claims)

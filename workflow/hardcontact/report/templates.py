@@ -14,7 +14,7 @@ from markupsafe import Markup, escape
 
 from hardcontact.base.formatting import format_share
 from hardcontact.report import TEXTS, quantities
-from hardcontact.report.figures.listing import caption
+from hardcontact.report.figures.listing import render_description
 
 TEMPLATES = TEXTS / "templates"
 
@@ -108,7 +108,7 @@ def _environment() -> Environment:
         "first_sentence": lambda text: re.split(r"(?<=\.) (?=[\"A-Z])", text, maxsplit=1)[0],
         "base64": lambda data: base64.b64encode(data).decode("ascii"),
     }  # fmt: skip
-    environment.globals["caption"] = caption
+    environment.globals["caption"] = render_description
     environment.tests["known"] = math.isfinite
     return environment
 

@@ -15,7 +15,7 @@ FILE_KINDS = ("pdf", "png", "svg")
 
 @dataclass(frozen=True)
 class Description:
-    """A figure of figures.yaml; its texts are templates there, and rendered after `caption`."""
+    """A figure of figures.yaml; `render_description` fills the templates in its texts."""
 
     title: str
     caption: str
@@ -27,7 +27,7 @@ class Description:
 
 _LISTED = yaml.safe_load((TEXTS / "figures.yaml").read_text("utf-8"))
 PAPER_FIGURES = tuple(_LISTED["paper"])
-OWN_FIGURES = tuple(_LISTED["own"])  #: "works" needs measured forces.
+OWN_FIGURES = tuple(_LISTED["own"])  #: "works" is drawn only with measured forces.
 
 
 def describe_figure(name: str) -> Description:
@@ -35,7 +35,7 @@ def describe_figure(name: str) -> Description:
     return Description(**(_LISTED["paper"] | _LISTED["own"])[name])
 
 
-def caption(name: str, facts: Mapping[str, Any]) -> Description:
+def render_description(name: str, facts: Mapping[str, Any]) -> Description:
     """Return the description of a figure with the facts that its templates name."""
     from jinja2 import Environment, StrictUndefined
 
