@@ -4,7 +4,7 @@ import pytest
 from refusals import assert_says, refusal
 from repository import DESCRIPTION_HEADER, ROOT
 
-from hardcontact.config.descriptions import refuse_description, refuse_paper_surface
+from hardcontact.config.descriptions import refuse_description, refuse_in_own_study
 from hardcontact.surfaces.substitute_spectra import AFM_ROWS, TAIL_ROWS
 
 SPECTRA = ROOT / "resources/spectra"
@@ -51,11 +51,11 @@ def test_a_blank_hurst_exponent_needs_rows_of_table_1(tmp_path):
 
 def test_own_studies_refuse_substitutes_for_the_paper():
     for path in SPECTRA.glob("crn_*.csv"):
-        refuse_paper_surface(path, path.stem, {"uncd", "ncd"})
+        refuse_in_own_study(path, path.stem, {"uncd", "ncd"})
     for name, surface, message_parts in (
         ("uncd", "my_uncd", ["config key published", "my_uncd", "none"]),
         ("crn_smoother", "uncd", ["config key published", "uncd", "none"]),
         ("ruby", "other", ["ruby.csv", "measured", "assumed"]),
     ):
-        message = refusal(refuse_paper_surface, SPECTRA / f"{name}.csv", surface, {"uncd", "ncd"})
+        message = refusal(refuse_in_own_study, SPECTRA / f"{name}.csv", surface, {"uncd", "ncd"})
         assert_says(message, "expected", *message_parts)

@@ -47,7 +47,7 @@ if PLAN.measured_scan_ids:
 
 #: The tests of measured scans; substitutes have none.
 HINDCAST = RESULTS.dataset("hindcast") if PLAN.measured_scan_ids else []
-#: The scans of masters, and how forces on them are compared.
+#: The scans that masters share, and how forces on masters are compared.
 MASTER_PARAMETERS = {
     "scan_counts": {name: len(SELECTION.contact_scans(name)) for name in SELECTION.substrates},
     "tiles": STUDY["band"]["long"]["tiles"],
@@ -56,8 +56,8 @@ MASTER_PARAMETERS = {
 }
 
 
-# Intervals are over parts of scans, because masters share few scans. `find_edges_of_masters`
-# (band.smk) needs independent masters.
+# The forces are on masters, but several masters share a scan and are not independent. So intervals are
+# over parts of scans. The masters of `find_edges_of_masters` (band.smk) are independent.
 rule find_edges_of_scans:
     """Find the edges of the band of the user's surfaces: edges.nc."""
     input:

@@ -69,13 +69,13 @@ def refuse_description(path: str | Path, published_rows: Collection[str]) -> Non
             read_rows(Path(path).parent / row.table, ProfileRow, content)
 
 
-def refuse_paper_surface(path: str | Path, surface: str, published: Collection[str]) -> None:
+def refuse_in_own_study(path: str | Path, surface: str, published: Collection[str]) -> None:
     """Refuse a surface of Table 1, and a description without data, in a study of other surfaces."""
     segments = read_segments(path)
     if surface in published or needs_calibration(segments):
         raise ValueError(
-            "config key published: expected paper in a study with substitutes for its surfaces "
-            f"({surface}), found none"
+            "config key published: expected paper in a study with substitutes for the paper's "
+            f"surfaces ({surface}), found none"
         )
     if not segments.evidence.isin(DATA_EVIDENCE).any():
         evidence = ", ".join(map(quote_key, segments.evidence.unique()))

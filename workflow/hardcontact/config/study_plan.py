@@ -66,7 +66,7 @@ class StudyPlan:
                 surfaces_by_scans[tuple(range(start, start + len(scans)))].append(surface)
         return surfaces_by_scans
 
-    def master_scan(self, surface: str, master_number: int) -> int:
+    def master_scan(self, surface: str, realization: int) -> int:
         """Return the number of the scan in a master.
 
         In the paper's study more substitute scans are made, so that each master has its own. Other
@@ -74,9 +74,9 @@ class StudyPlan:
         """
         scans = self.selection.contact_scans(surface)
         is_measured = surface in self.selection.measured_surfaces
-        if master_number > len(scans) and is_paper_study(self.study) and not is_measured:
-            return max(scans) + master_number - len(scans)
-        return scans[(master_number - 1) % len(scans)]
+        if realization > len(scans) and is_paper_study(self.study) and not is_measured:
+            return max(scans) + realization - len(scans)
+        return scans[(realization - 1) % len(scans)]
 
     def sphere_radius(self, surface: str) -> float | None:
         """Return the radius (nm) to subtract from scans of the sphere, None for other surfaces."""

@@ -45,7 +45,11 @@ class RandomBody(NamedTuple):
 def outermost_octaves(
     measurements: xr.Dataset, transitions: Mapping[str, float]
 ) -> dict[str, Octave | None]:
-    """Return by side the octave next to the transition that the scans still show, or None."""
+    """Return by side the octave just inside the transition, None if the scans do not show it whole.
+
+    Beyond the transition (nm) of a side, masters have artificial roughness. If scans are reliable
+    only further inside, the octave lies at the end of their reliable wavelengths.
+    """
     reliable = measurements.where(measurements["reliable"].any("bin_wavevector"))
     shortest = float(reliable["shortest_reliable"].min())
     longest = float(reliable["longest_reliable"].max())
@@ -117,7 +121,8 @@ def _artificial_octave(
     rng = generator(body.seed, *body.random_stream, "hindcast", seed_word, index)
     scan_pixels = round(body.size / mirrored.pixel_size)
     surface = random_surface(rng, 2 * scan_pixels, mirrored.pixel_size, octave_spectrum)
-    # Mirror images extend a scan of the sphere that is smaller than the map, as in the map.
+    # A quarter of a periodic surface is not periodic, like a scan. Mirror images fill the map with
+    # it, also if it is a smaller scan of the sphere.
     unfolded = np.arange(mirrored.pixels // 2) % (2 * scan_pixels)
     folded = np.minimum(unfolded, 2 * scan_pixels - 1 - unfolded)
     corner = replace(surface, heights=surface.heights[np.ix_(folded, folded)])
@@ -153,7 +158,8 @@ def hindcast_ratios(forces: xr.Dataset, tolerance: float, confidence: float) -> 
 def hindcast_dataset(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
     """Return `hindcast_ratios`, and two forces relative to the force on the scans.
 
-    ``filtered_scan_ratio`` is without the waves shorter than the outermost octave.
+    ``filtered_scan_ratio`` is without the waves shorter than the outermost octave,
+    ``wide_pixel_ratio`` on wider pixels (`wide_pixels`).
     """
     means = forces.mean(["map", *CONTACT_AXES])
     filtered = means["scan_octave_force"].sel(side="short", drop=True) / means["scan_force"]

@@ -16,7 +16,7 @@ from hardcontact.config.configuration import (
     is_paper_study,
     reading_arguments,
 )
-from hardcontact.config.descriptions import refuse_description, refuse_paper_surface
+from hardcontact.config.descriptions import refuse_description, refuse_in_own_study
 from hardcontact.config.faults import collect_faults, key_fault, raise_faults
 from hardcontact.config.force_table import read_forces
 from hardcontact.config.keys import NONE, SMOOTH_SPHERE
@@ -68,7 +68,7 @@ def _substitute_faults(study: dict[str, Any], table: pd.DataFrame) -> list[str]:
         with collect_faults(faults):
             refuse_description(path, rows_of_table1.get(surface, set()))
             if not is_paper_study(study):
-                refuse_paper_surface(path, surface, rows_of_table1)
+                refuse_in_own_study(path, surface, rows_of_table1)
     return faults
 
 

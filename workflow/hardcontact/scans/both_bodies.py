@@ -84,6 +84,7 @@ def _limit_to_dominant(body: xr.Dataset, is_dominant: NDArray[np.bool_]) -> xr.D
     limits = body["limited_by"].values.astype(object)
     for index in np.flatnonzero((reliable != was_reliable).any(axis=1)):
         band = wavelength[reliable[index]]
+        # `limited_by` is what hides waves shorter than the reliable ones.
         if not band.size or band.min() > wavelength[was_reliable[index]].min():
             limits[index] = OTHER_BODY
         if band.size:
@@ -107,7 +108,11 @@ def sphere_share(spectra: xr.Dataset, wavelength: float) -> float:
 
 
 def combine_sampled_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
-    """Return the sum of two sampled spectra; ``height_factor`` is an rms weighted by variances."""
+    """Return the sum of two sampled spectra.
+
+    ``height_factor``, on the heights of both bodies, is the rms of their factors, weighted by the
+    variances of their heights.
+    """
     bodies = (substrate, sphere)
     variances = [all_scales_rms(spectrum_of_dataset(body))[0] ** 2 for body in bodies]
     squared_factors = [float(body.attrs["height_factor"]) ** 2 for body in bodies]

@@ -69,7 +69,7 @@ MIN_PIXELS_PER_WAVE = 4
 MIN_WAVES = 4
 #: Least share of noise in the variance of heights: it changes the rms height by one per cent.
 MIN_NOISE_SHARE = 0.02
-#: Largest share of the rms height without a curvature: the curvature has a tenth or more.
+#: Largest share of the rms height that is left without a curvature: a weaker one is no defect.
 MAX_UNCURVED_SHARE = 0.9
 #: Least sum of squares of polynomials of second order relative to third and fourth order. The
 #: largest ratio in 8100 self-affine maps without a roll-off and curvature (H from 0.5 to 1) is 34.
@@ -93,6 +93,7 @@ def level_and_list_defects(
     """
     flat = remove_form(scan, sphere_radius, levelling)
     heights = flat.heights
+    # Levelling makes equal heights unequal, so tests of equal heights need the measured ones.
     measured_heights = scan.heights
     defects: dict[str, Defect] = {}
     if scan.kind == "map":
@@ -103,23 +104,24 @@ def level_and_list_defects(
             defects["equal_lines"] = {"equal_line_share": share}
             measured_heights = scan.heights[~rows][:, ~columns]
         else:
-            heights, defects["streaks"] = _fill_streaks(heights)
+            heights, defects["streaks"] = _find_and_fill_streaks(heights)
             power = _wave_power(heights)
             defects |= _find_line_patterns(heights, power, scan.pixel_size)
+            defects["noise"] = _find_noise(heights.var(), power)
     defects["spikes"] = _find_spikes(heights)
     defects |= _find_clipping(measured_heights)
     if not any(defects.get(code) for code in ("equal_lines", "spikes")):
         defects["sidewalls"] = _find_sidewalls(heights)
-    hiding_defects = ("equal_lines", "spikes", "sidewalls", "offset_lines")
+    hiding_defects = ("spikes", "sidewalls", "offset_lines")
     # Quantised heights have noise from rounding.
     is_quantised = np.median(np.abs(np.diff(scan.heights, axis=0))) == 0
-    is_noise_hidden = is_quantised or any(defects.get(code) for code in hiding_defects)
-    if scan.kind == "map" and not is_noise_hidden:
-        defects["noise"] = _find_noise(heights.var(), power)
+    if is_quantised or any(defects.get(code) for code in hiding_defects):
+        defects["noise"] = {}
     return replace(flat, defects={code: defects[code] for code in DEFECTS if defects.get(code)})
 
 
-def _fill_streaks(heights: Floats) -> tuple[Floats, Defect]:
+def _find_and_fill_streaks(heights: Floats) -> tuple[Floats, Defect]:
+    """Return a map with filled streaks, and its streaks; lines are numbered from 1."""
     filled_heights, is_filled = fill_streaks(heights)
     lines = np.flatnonzero(is_filled.any(axis=1)) + 1
     if not lines.size:
@@ -133,6 +135,7 @@ def _fill_streaks(heights: Floats) -> tuple[Floats, Defect]:
 
 
 def _find_spikes(heights: Floats) -> Defect:
+    """Return the share of spikes, and the rms height (nm) without them."""
     isolation = _isolation(heights)
     # Spikes raise the rms height, so leave out pixels that are isolated by the median deviation.
     median_deviation = np.median(np.abs(heights - np.median(heights)))
@@ -291,12 +294,14 @@ def _find_noise(variance: float, power: Floats) -> Defect:
     """Find white noise, with which a spectrum is flat at short waves and steeper at longer ones."""
     pixels = len(power)
     waves = np.fft.fftfreq(pixels, 1 / pixels)
-    half_octave = np.round(2 * np.log2(pixels / np.maximum(np.hypot(waves, waves[:, None]), 1)))
+    half_octave_of_wave = np.round(
+        2 * np.log2(pixels / np.maximum(np.hypot(waves, waves[:, None]), 1))
+    )
     # Wavelengths of 2^(3/2) pixels and more, in half octaves.
-    half_octaves = np.arange(3, 2 * np.log2(pixels / MIN_WAVES))
-    if len(half_octaves) < 2:
+    resolved_half_octaves = np.arange(3, 2 * np.log2(pixels / MIN_WAVES))
+    if len(resolved_half_octaves) < 2:
         return {}
-    half_octave_masks = [half_octave == index for index in half_octaves]
+    half_octave_masks = [half_octave_of_wave == index for index in resolved_half_octaves]
     density = [power[mask].mean() for mask in half_octave_masks]
     counts = [np.count_nonzero(mask) for mask in half_octave_masks]
     slopes = -2 * np.diff(np.log2(np.maximum(density, np.finfo(float).tiny)))

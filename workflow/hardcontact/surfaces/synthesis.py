@@ -136,10 +136,10 @@ SIDES = tuple(SEED_WORDS)
 
 
 def master_generator(
-    seed: int, surface_name: str, master_number: int, side: str, stream: str
+    seed: int, surface_name: str, realization: int, side: str, stream: str
 ) -> np.random.Generator:
     """Return the random generator of a master; `stream` names its purpose."""
-    return generator(seed, surface_name, master_number, f"{SEED_WORDS[side]}-scale {stream}")
+    return generator(seed, surface_name, realization, f"{SEED_WORDS[side]}-scale {stream}")
 
 
 def synthesize_master(

@@ -28,10 +28,13 @@ NEARLY_ALL = 0.9
 class Conclusion(NamedTuple):
     """The answer of one surface in short; intervals have both ends or none."""
 
-    answer: str  #: "yes", "partly" or "no".
-    #: "few_patches" if contacts touch too few; "unresolved" if no cutoff changes the force;
-    #: "unknown" if a hindcast fails or the filter makes ripples; "overlapping" if short or long
-    #: waves alone give the force; otherwise "found", even if an edge is only a bound.
+    answer: str  #: Do reliable wavelengths decide edges and force: "yes", "partly" or "no".
+    #: What is known of the band, the first of these codes that holds:
+    #: - few_patches: contacts touch too few patches;
+    #: - unresolved: no cutoff changes the force;
+    #: - unknown: a hindcast fails, or the filter makes ripples;
+    #: - overlapping: short or long waves alone give the force;
+    #: - found: any other case, even if an edge is only a bound.
     band: str
     short_edge: Number
     long_edge: Number
@@ -62,6 +65,7 @@ def add_status(number: Number, interval_source: xr.DataArray) -> Number:
 def edge_numbers(data: Datasets) -> list[Number]:
     """Return the edges of one surface, their measured shares, and cutoffs around some edges."""
     statuses = data.edges["edge_status"].sel(side=list(SIDES)).values.tolist()
+    # No cutoff changes the force: the short edge is above all cutoffs, the long one below.
     if statuses == [EdgeStatus.OPEN_ABOVE, EdgeStatus.OPEN_BELOW]:
         return [Number(name, np.nan, "nm", status=NoValue.NO_BAND) for name in EDGE_NAMES.values()]
     numbers = []
@@ -126,7 +130,7 @@ def reliable_and_unreliable_change(
 
 
 def measured_share(reliable: float, unreliable: float) -> float:
-    """Return the share of reliable wavelengths in a change of the force, NaN without a change."""
+    """Return the measured share of a change of the force: that of reliable wavelengths, or NaN."""
     return reliable / (reliable + unreliable) if reliable + unreliable > 0 else np.nan
 
 
@@ -190,7 +194,7 @@ def _drop_partial_interval(number: Number) -> Number:
 
 
 def next_scans(numbers: Mapping[str, Number], spectra: xr.Dataset) -> list[NextScan]:
-    """Return a measurement to make for each edge that is open, unknown or partly unreliable."""
+    """Return a measurement to make for each edge that is open, unknown or (partly) unreliable."""
     # A surface that is only described may not exist yet.
     if (spectra["kind"] == "description").any():
         return []
