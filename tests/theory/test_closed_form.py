@@ -86,7 +86,7 @@ def test_a_single_smooth_summit_attracts_like_a_sphere_of_its_radius():
 def mean_power(touching_count, power):
     """Return the mean of the power of G_n (theory.md, "What do the summits add up to?").
 
-    The highest of the n summits touches always, so the others have a Poisson distribution.
+    The highest summit always touches; the number of others has a Poisson distribution.
     """
     number = 1 + np.arange(200)
     chance = stats.poisson.pmf(number - 1, touching_count - 1)

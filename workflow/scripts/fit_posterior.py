@@ -12,11 +12,11 @@ with run_job(snakemake) as job:
     sampling = Sampling.from_parameters(params["sampling"], "posterior")
     published_forces = published.read_published_forces(job.input.published_pull_off)
     sets = read_dataset(job.input.sets).sel(contact_model=PLASTIC)
-    # By surface, and the first and last number of its whole surfaces in a file.
-    forces_by_chunk = read_by_key(params["whole_surfaces"], job.input.whole_surfaces)
+    whole_surfaces = read_by_key(params["whole_surfaces"], job.input.whole_surfaces)
+    forces_by_surface = concatenate(whole_surfaces, "map")
     plastic_forces = {
         surface: forces[["pull_off_force"]].sel(contact_model=PLASTIC)
-        for surface, forces in concatenate(forces_by_chunk, "map").items()
+        for surface, forces in forces_by_surface.items()
     }
     whole_surface_forces = None
     if plastic_forces:

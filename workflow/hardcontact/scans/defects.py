@@ -88,8 +88,8 @@ def level_and_list_defects(
 ) -> HeightMap:
     """Return a scan levelled by `remove_form`, with its defects by code.
 
-    Beside some defects others are not looked for: equal lines look like a lay, sidewalls hide
-    white noise.
+    Some defects hide others, which are then not stated: equal lines look like a lay, sidewalls
+    hide white noise.
     """
     flat = remove_form(scan, sphere_radius, levelling)
     heights = flat.heights

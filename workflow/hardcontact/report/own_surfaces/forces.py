@@ -41,7 +41,7 @@ def force_numbers(data: Datasets) -> list[Number]:
     smooth = dmt_pull_off(force.attrs["work_of_adhesion"], force.attrs["sphere_radius"])
     return [
         add_status(mean, force["interval_source"]),
-        _measured_share(data),
+        _mean_force_measured_share(data),
         *_extrapolated_forces(data),
         Number("median_force", median, "N"),
         number_without_value("middle_forces", lowest, highest, "N"),
@@ -56,7 +56,7 @@ def force_numbers(data: Datasets) -> list[Number]:
     ]
 
 
-def _measured_share(data: Datasets) -> Number:
+def _mean_force_measured_share(data: Datasets) -> Number:
     """Return the share of reliable wavelengths in the change of the force by roughness."""
     reliable, unreliable = reliable_and_unreliable_change(data, "short")
     share = measured_share(reliable, unreliable)
