@@ -121,7 +121,7 @@ def both_efforts(contact, proposal):
 
 
 def random_between(low, high):
-    """Give numbers of any size between two."""
+    """Give positive numbers between two, of any order of magnitude."""
     return st.floats(math.log(low), math.log(high)).map(math.exp)
 
 

@@ -21,7 +21,7 @@ class NoValue(StrEnum):
 
     NO_BAND = "no_band"  #: No wavelength changes the force.
     NO_HINDCAST = "no_hindcast"  #: No hindcast shows that roughness may be extrapolated.
-    NO_EXPONENT = "no_exponent"  #: The scans do not tell how their roughness goes on.
+    NO_EXPONENT = "no_exponent"  #: The scans do not determine the extrapolated spectrum.
     NO_AGREEMENT = "no_agreement"  #: No range and work of adhesion fit all measured forces.
     ONE_FORCE = "one_force"  #: One measured force does not determine range and work.
 
