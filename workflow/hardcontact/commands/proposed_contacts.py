@@ -19,6 +19,7 @@ from hardcontact.contact.numerical_limits import (
 from hardcontact.own.scan_contact import window_on_scans
 
 #: The longest range of adhesion (nm) that is proposed if none is given, as in the paper's study.
+#: Scans that permit longer ranges only are refused.
 LONGEST_RANGE = 40.0
 #: Width of the long-edge master relative to a scan, as in the paper.
 MASTER_OVER_SCAN = 8
@@ -64,9 +65,6 @@ def choose_contact(
     if shortest > contact.rho and not range_given:
         contact = replace(contact, rho=max(contact.rho, min(shortest, LONGEST_RANGE)))
         range_reason = f"the least on these scans, where {reason}"
-        if shortest > LONGEST_RANGE:
-            permitted = f"these scans permit {shortest:.3g} nm or more, because {reason}"
-            range_reason = f"the longest that is proposed, but {permitted}"
         # A longer range needs a wider window, which does not raise the shortest range.
         window, window_reason = _window_on_scans(scans, contact)
     return PermittedContact(replace(contact, window=window), shortest, window_reason, range_reason)

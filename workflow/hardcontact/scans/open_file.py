@@ -194,8 +194,7 @@ def _describe_unread(content: bytes, reader_messages: str) -> str:
 
 def _zip_and_readers(content: bytes) -> tuple[str, list[str]]:
     """Return the type of a zip file with the remedy, "" if unknown, and the name of its reader."""
-    with zipfile.ZipFile(io.BytesIO(content)) as archive:
-        members = archive.namelist()
+    members = zipfile.ZipFile(io.BytesIO(content)).namelist()
     if "[Content_Types].xml" in members:
         return f"a document of an office program: {SAVE_AS_TEXT}", []
     if any(member.endswith("/main.xml") for member in members):
