@@ -25,7 +25,7 @@ OCTAVE = (8 * PIXEL, 16 * PIXEL)
 
 
 def ratios(heights, side):
-    """Hindcasts of a scan whose spectrum is that of the Gaussian one."""
+    """Hindcasts of a scan, with random octaves that have the spectrum UNCD."""
     mirrored = mirror_scan(replace(SCAN, heights=heights))
     forces = hindcast.hindcast_forces(
         mirrored,
@@ -50,7 +50,7 @@ def test_a_gaussian_scan_passes(side):
     [
         # Without scatter the tolerance decides.
         (0.895, 0, True), (0.905, 0, False), (1.095, 0, False), (1.105, 0, True),
-        # The interval is 1.12 to 1.18, or 1.02 to 1.30, which reaches below 1.1.
+        # The interval is 1.12 to 1.18, or 1.03 to 1.29, which reaches below 1.1.
         (1.15, 0.01, True), (1.15, 0.05, False),
     ],
 )  # fmt: skip
@@ -148,8 +148,8 @@ def test_wide_pixels_hide_summits():
     """On a smooth map they change nothing; the sphere's pixels count, too."""
     flat = mirror_scan(replace(SCAN, heights=SCAN.heights * 0))
     rough = mirror_scan(SCAN)
-    ratios = []
+    wide_pixel_ratios = []
     for surface, sphere in ((flat, None), (rough, None), (flat, rough)):
         forces = forces_by_pixel_width(surface, sphere, CONTACT).mean()
-        ratios.append(float(forces["wide_pixel_force"] / forces["scan_force"]))
-    assert ratios[0] == pytest.approx(1) and min(ratios[1:]) > 1.02
+        wide_pixel_ratios.append(float(forces["wide_pixel_force"] / forces["scan_force"]))
+    assert wide_pixel_ratios[0] == pytest.approx(1) and min(wide_pixel_ratios[1:]) > 1.02

@@ -43,8 +43,8 @@ def classical():
     return apply_models(make_fit())
 
 
-def test_polished_uncd_has_the_published_force_and_work(classical):
-    """The paper prints 8.8 µN and, with the printed Tabor parameter, 7.15 mJ/m²."""
+def test_polished_uncd_has_the_published_force_and_nearly_its_work(classical):
+    """The paper prints 8.8 µN and 7.15 mJ/m²; with its Tabor parameter the work is 6.97 mJ/m²."""
     uncd = classical.sel(surface="polished_uncd")
     low, high = interval_ends(uncd, "published_mean_force")
     assert (float(low), float(high)) == pytest.approx((8.75e-6, 8.85e-6))

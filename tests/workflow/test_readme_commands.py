@@ -1,7 +1,7 @@
-"""Every command of README.md and config/README.md works as it is printed.
+"""Commands of README.md and config/README.md work as they are printed.
 
-Both are typed in one folder: `hardcontact` as it stands there, and `snakemake` with `-n`, as its
-runs take minutes. Installation is what .ci/run does.
+All `hardcontact` commands run, in one folder. `snakemake` commands run with `-n`, because they
+would take minutes. .ci/run does the installation.
 """
 
 import json

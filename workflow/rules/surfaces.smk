@@ -23,7 +23,7 @@ from hardcontact.records.code import write_pins
 from hardcontact.run import preparation
 
 SELECTION = preparation.checked_selection(workflow, STUDY)
-write_pins()  # Write the pinned versions only now: a run that is refused writes nothing.
+write_pins()  # Write the versions of packages only now: a run that is refused writes nothing.
 LABELS_AND_SOURCES = {"labels": SELECTION.labels, "source": SELECTION.sources}
 PLAN = StudyPlan(STUDY, SELECTION)
 FILES = SurfaceFiles(PLAN)

@@ -1,4 +1,4 @@
-"""Pull-off of a scan on all scans of the sphere and on a smooth one, and the effect of the grid."""
+"""Pull-off of a scan at each position on the sphere; effects of window and pixels."""
 
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies, spheres_at_positions

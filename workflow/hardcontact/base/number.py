@@ -21,11 +21,11 @@ class NumberStatus(StrEnum):
 #: - measured: a measured force, or an edge that rests on measured roughness;
 #: - from_measured: computed from measured forces;
 #: - extrapolated: with roughness beyond the reliable wavelengths;
-#: - artificial: an edge of the paper's study at wavelengths of artificial roughness;
-#: - unreliable: an edge where no scan is reliable, or over 90 % of whose change comes from there;
-#: - partly_unreliable: an edge, 10 to 90 % of whose change comes from unreliable wavelengths;
+#: - artificial: an edge of the paper's study in artificial roughness, or a ratio of such edges;
+#: - unreliable: an edge where no scan is reliable, or a number of which over 90 % come from there;
+#: - partly_unreliable: a number of which 10 to 90 % come from unreliable wavelengths;
 #: - interval_unreliable: an edge of which only the interval reaches unreliable wavelengths;
-#: - given: a key of the configuration;
+#: - given: a key of the configuration, or a constant of the program;
 #: - assumed: a key with the paper's value, because the user gave none;
 #: - file: a property of the file of a scan.
 NumberSource = Literal[

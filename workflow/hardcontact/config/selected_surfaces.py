@@ -47,7 +47,7 @@ class SurfaceRow(Keys):
     """File of a measured scan, or description of a substitute (`resources/README.md`), relative to
     the top folder."""
     dataset: Annotated[str, Matching(".{0,1000}", "a name, or nothing")]
-    """Name or data file of a scan in a container (`.zip`); channel of another file; or nothing."""
+    """Name or data file of a scan in a container (`.zip`), channel of other files, or nothing."""
     use: Literal["", "contact", "spectrum"] = ""
     """Optional. `contact` (or empty): contacts are made on the scan. `spectrum`: the scan only
     enters the spectrum."""

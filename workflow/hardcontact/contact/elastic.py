@@ -189,7 +189,7 @@ def _pressure_around_peak(pressure: Floats, pixel_size: float) -> xr.DataArray:
 def solve_elastic_contacts(
     bodies: Bodies, contact: Contact, contact_indices: NDArray[np.int_], modulus: float
 ) -> xr.Dataset:
-    """Return ELASTIC_UNITS (contact) of contacts, given by row and column in the array.
+    """Return ELASTIC_UNITS (contact) of contacts, given by row and column in the array of a scan.
 
     ``pressure`` (y, x) in Pa is about the peak of the first contact.
     """

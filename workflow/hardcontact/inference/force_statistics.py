@@ -26,7 +26,7 @@ STATISTIC_ATTRS = {
 def sample_mean_forces(forces: xr.DataArray, sampling: Sampling) -> Floats:
     """Return mean forces (1 + sample, surface, rho) over all scans: the means, then their samples.
 
-    Samples are NaN for a surface with a single scan. Contact models share random numbers.
+    Samples are NaN for a surface with a single scan. All calls share their random numbers.
     """
     scan_means = mean_over_contacts(forces)
     means = sampling.sample_means("adhesion", scan_means, "scan")
@@ -38,7 +38,8 @@ def statistics_at_pair(
 ) -> xr.Dataset:
     """Return STATISTIC_ATTRS and ``ratio_at_pair`` (surface) of one contact model at one pair.
 
-    The ratio is the mean force relative to that on the reference surface.
+    A pair is a range (nm) and a work (J/m²) of adhesion; forces are at 1 J/m². The ratio is the
+    mean force relative to that on the reference surface.
     """
     rho, work = pair
     pair_forces = interpolate_forces(forces, rho) * work
@@ -57,7 +58,7 @@ def statistics_at_pair(
 
 
 def force_statistics(forces: Floats, sampling: Sampling) -> tuple[Floats, Floats]:
-    """Return STATISTIC_ATTRS (statistic,) of the forces on one surface, and intervals (..., 2).
+    """Return the numbers (statistic,) of STATISTIC_ATTRS for one surface, and intervals (..., 2).
 
     Forces (scan, sphere_scan, contact) are in N, NaN for a missing scan.
     """
@@ -80,7 +81,7 @@ def force_statistics(forces: Floats, sampling: Sampling) -> tuple[Floats, Floats
 
 
 def _single_force_statistics(forces: Floats) -> Floats:
-    """Return STATISTIC_ATTRS without the mean (3,) of single forces (...), NaN without any."""
+    """Return the last three numbers of STATISTIC_ATTRS for single forces (...), NaN without any."""
     if not forces.size:
         return np.full(3, np.nan)
     logarithms = np.log(forces)

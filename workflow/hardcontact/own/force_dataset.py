@@ -49,7 +49,7 @@ def forces_on_scans(
 ) -> xr.Dataset:
     """Return the mean force (surface, contact_model, rho) in N over contacts and scans.
 
-    `adhesion` is at 1 J/m², ``force_quantile`` of single contacts; scan sizes are in nm.
+    ``force_quantile`` is that of single contacts. `adhesion` is at 1 J/m², scan sizes are in nm.
     """
     work, rho = contact.work, contact.rho
     adhesion_at_work = adhesion.assign(pull_off_force=adhesion.pull_off_force * work)
@@ -172,6 +172,7 @@ def widen_intervals(force: xr.Dataset, hindcast: xr.Dataset | None, rho: float) 
         force = force.merge(hindcast[names], join="left")
         force = widen_interval(force, "extrapolated_force", force["hindcast_ratio"])
         interval = force["force_interval"]
+        # Finer pixels can only lower forces.
         extended = interval.where(interval["end"] != "low", interval / surface_pixel_factors(force))
         force = force.assign(force_interval=extended.transpose(*interval.dims))
     return force

@@ -103,9 +103,9 @@ def _sum_of_maps(substrate: HeightMap, sphere: HeightMap, *, seed: int) -> Heigh
 
 
 def _spectrum_of_scans(scans: Sequence[HeightMap], tip_radius: float | None = None) -> OwnSpectrum:
-    """Return the joined spectrum of scans of different areas, with cautions and other notes.
+    """Return the joined spectrum of scans, with cautions and other notes.
 
-    Later scans of the same area are left out. The tip radius (nm) is for scans without their own.
+    Of scans of the same area only the first counts. The tip radius (nm) is for scans without one.
     """
     repeated = repetition_notes(scans, [scan.name for scan in scans])
     scans = [scan for index, scan in enumerate(scans) if index not in repeated]

@@ -101,8 +101,8 @@ def compare_features(
     factor = sphere_factors.sel(contact_model=PLASTIC, surface=surface, drop=True)
     targets = published.forces.loc[surface].to_dict()
     statistics = [
-        _candidate_statistics(kind.sel(contact_model=PLASTIC), factor, published.pair, targets)
-        for kind in candidates.values()
+        _candidate_statistics(forces.sel(contact_model=PLASTIC), factor, published.pair, targets)
+        for forces in candidates.values()
     ]
     log_std = log_std_of_lognormal(targets["mean_force"], targets["median_force"])
     kinds = pd.Index(list(candidates), name="features")

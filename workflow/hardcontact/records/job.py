@@ -37,7 +37,7 @@ class Job(NamedTuple):
     origin: Origin
 
     def write(self, results: xr.Dataset, title: str, output: int | str = 0) -> None:
-        """Write results, with their origin and the meanings of their variables."""
+        """Write results with their origin, and meanings from workflow/report/variables.tsv."""
         path = self.output[output]
         meanings = read_meanings(Path(path).stem)
         complete = describe_variables(results, meanings).assign_attrs(
@@ -82,7 +82,7 @@ def run_job(snakemake: Any) -> Iterator[Job]:
 
 @contextmanager
 def job_log(path: str | Path) -> Iterator[None]:
-    """Keep the log of a job; an error goes there in full and to stderr in one line."""
+    """Keep the log of a job; an error goes there in full, to stderr in one line, and ends it."""
     # If the log cannot be written, only the line on stderr is left.
     logging.raiseExceptions = False
     logging.lastResort = None

@@ -43,7 +43,8 @@ DEFECTS = {
 #: The numbers of all defects with their units.
 DEFECT_UNITS = {name: unit for units in DEFECTS.values() for name, unit in units.items()}
 
-#: Least distance of a spike from its neighbours, in rms heights: once in 10⁹ Gaussian pixels.
+#: Least distance of a spike from its neighbours, in rms heights: once in 10⁹ Gaussian pixels
+#: of a map, once in 10⁷ of a line scan.
 MIN_SPIKE_DISTANCE = 6.0
 #: Largest share of equal lines: so few lines change a mean force little.
 MAX_EQUAL_LINE_SHARE = 0.01
@@ -69,7 +70,7 @@ MIN_PIXELS_PER_WAVE = 4
 MIN_WAVES = 4
 #: Least share of noise in the variance of heights: it changes the rms height by one per cent.
 MIN_NOISE_SHARE = 0.02
-#: Largest share of the rms height that is left without a curvature: a weaker one is no defect.
+#: A curvature is a defect if at most this share of the rms height is left without it.
 MAX_UNCURVED_SHARE = 0.9
 #: Least sum of squares of polynomials of second order relative to third and fourth order. The
 #: largest ratio in 8100 self-affine maps without a roll-off and curvature (H from 0.5 to 1) is 34.
@@ -98,11 +99,11 @@ def level_and_list_defects(
     defects: dict[str, Defect] = {}
     if scan.kind == "map":
         defects["curvature"] = _find_curvature(heights, scan.pixel_size)
-        rows, columns = _find_equal_lines(scan.heights), _find_equal_lines(scan.heights.T)
+        rows, columns = _find_equal_lines(measured_heights), _find_equal_lines(measured_heights.T)
         share = float(max(rows.mean(), columns.mean()))
         if share > MAX_EQUAL_LINE_SHARE:
             defects["equal_lines"] = {"equal_line_share": share}
-            measured_heights = scan.heights[~rows][:, ~columns]
+            measured_heights = measured_heights[~rows][:, ~columns]
         else:
             heights, defects["streaks"] = _find_and_fill_streaks(heights)
             power = _wave_power(heights)
@@ -137,7 +138,7 @@ def _find_and_fill_streaks(heights: Floats) -> tuple[Floats, Defect]:
 def _find_spikes(heights: Floats) -> Defect:
     """Return the share of spikes, and the rms height (nm) without them."""
     isolation = _isolation(heights)
-    # Spikes raise the rms height, so leave out pixels that are isolated by the median deviation.
+    # Spikes raise the rms height, so estimate them first from the median deviation.
     median_deviation = np.median(np.abs(heights - np.median(heights)))
     max_isolation = MIN_SPIKE_DISTANCE * median_deviation / MEDIAN_DEVIATION
     rms_height = float(heights[isolation <= max_isolation].std())

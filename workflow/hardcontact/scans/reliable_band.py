@@ -112,6 +112,7 @@ def _spectral_ends(scan: HeightMap, density: Floats) -> list[tuple[float, str]]:
     is_near_peak = _find_bins_near_peaks(np.log(density[is_resolved]), variance)
     is_smoothed &= ~is_near_peak
     is_flat &= ~is_near_peak
+    # First smoothing, then a noise floor in the rest, then smoothing that the floor had hidden.
     unsmoothed_count = _count_unsmoothed(is_smoothed, len(q))
     above_floor_count = _count_above_floor(is_flat, unsmoothed_count)
     reliable_count = _count_unsmoothed(is_smoothed, above_floor_count)
@@ -125,6 +126,10 @@ def _spectral_ends(scan: HeightMap, density: Floats) -> list[tuple[float, str]]:
 
 
 def _find_bins_near_peaks(log_density: Floats, variance: Floats) -> NDArray[np.bool_]:
+    """Return the mask (bins,) of bins within half a decade of a peak, to which C_iso rises.
+
+    Entry [i, j] of a matrix compares bin j with bin i of a longer wavelength, if i < j.
+    """
     index = np.arange(len(log_density))
     distance = index - index[:, None]
     rise = log_density - log_density[:, None]

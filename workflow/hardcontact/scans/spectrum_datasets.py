@@ -88,10 +88,10 @@ def add_measurements(
 
 
 def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
-    """Return a substitute spectrum like a joined one, its segments with DATA_EVIDENCE as scans."""
+    """Return a substitute spectrum as a joined one; segments with DATA_EVIDENCE stand for scans."""
     segments = pd.read_csv(io.StringIO(substitute.attrs["segments"]))
     segments = segments[segments.evidence.isin(DATA_EVIDENCE)]
-    # Adjacent segments, from long to short wavelengths, with the same reference become one.
+    # Adjacent segments, from long to short wavelengths, with the same `source` become one.
     previous = segments.shift()
     has_gap = segments.longest_nm != previous.shortest_nm
     begins = has_gap | (segments.source != previous.source)

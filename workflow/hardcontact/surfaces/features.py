@@ -74,7 +74,7 @@ class Features(NamedTuple):
 def published_statistics(
     means: Mapping[str, float], table1: pd.DataFrame, scan_count: int
 ) -> ScanStatistics:
-    """Return the statistics of a surface in Table 1, scaled to means on the pixels of the study."""
+    """Return the statistics of a surface in Table 1, with deviations in proportion to means."""
     rows = table1.loc[list(TABLE1_METRICS)]
     values = np.array([means[name] for name in TABLE1_METRICS.values()])
     stds = values * (rows["uncertainty"] / rows["value"]).to_numpy(float)
@@ -211,7 +211,10 @@ def whole_surface(
     pixels: int,
     pixel_size: float,
 ) -> HeightMap:
-    """Return a whole surface: with features, or Gaussian with a spectrum that Table 1 permits."""
+    """Return a whole surface: with features, or Gaussian with a spectrum that Table 1 permits.
+
+    Odd numbers get bumps, even ones pits. `description` is a path (resources/README.md).
+    """
     rng = substitute.generator(number, "whole surface")
     if not has_features:
         spectrum_rng = substitute.generator(number, "permitted spectrum")

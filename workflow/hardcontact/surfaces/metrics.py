@@ -24,7 +24,7 @@ TABLE1_METRICS = {
     "afm_rms_slope": "rms_gradient",
     "afm_rms_curvature": "rms_half_laplacian",
 }
-#: By row of Table 1, of AFM scans or over all scales: its variable in topography.nc.
+#: The variable of topography.nc for each row of Table 1, of AFM scans and over all scales.
 TABLE1_VARIABLES = {row: f"{metric}_mean" for row, metric in TABLE1_METRICS.items()} | {
     row.replace("afm", "all"): f"all_scales_{metric}" for row, metric in TABLE1_METRICS.items()
 }

@@ -1,7 +1,7 @@
 """Where the closed form is validated, and its errors, from a table of designed surfaces.
 
-Errors are the ratios of computed to predicted values. The surfaces were held out while the closed
-form was developed, except for the choice of workflow/report/theory.md, Close points.
+Errors are the ratios of computed to predicted values. Only surfaces that were held out count: no
+formula was developed on them, except two choices (workflow/report/theory.md, Close points).
 """
 
 import math
@@ -42,7 +42,7 @@ FITTED_POINTS = 40
 class Validity(StrEnum):
     """Whether the closed form is validated for an input, so that its error is known.
 
-    STEEP_SIDEWALLS: there is no force, because heights with steep sidewalls are far from Gaussian.
+    STEEP_SIDEWALLS: no force is predicted, because steep sidewalls are far from Gaussian.
     """
 
     INSIDE, OUTSIDE, STEEP_SIDEWALLS = "inside", "outside", "steep_sidewalls"
@@ -94,7 +94,7 @@ def mean_hurst_and_change(spectrum: Spectrum, contact_length: float) -> tuple[fl
 def nearest_ratios(point: Mapping[str, Any], name: str) -> tuple[float, float]:
     """Return the smallest and the largest ratio on the surfaces of the table nearest to a point.
 
-    A point outside the table is moved to its border.
+    A point outside the table is moved to its border. Another regime counts as a factor e away.
     """
     surfaces = held_out_surfaces().dropna(subset=f"{name}_ratio")
     axes = ["weibull_modulus", "contact_over_peak_wavelength"]

@@ -27,7 +27,8 @@ from hardcontact.contact.numerical_limits import DEPTH_OVER_RANGE
 #: Finds the threads of libraries; made once, because the search takes milliseconds.
 THREAD_POOLS = ThreadpoolController()
 #: Largest penetration, in ranges of adhesion, at which contact pixels are subtracted, by the
-#: precision of heights. Its exponential multiplies the error: by 7 at 7 digits, by 400 at 16.
+#: precision of heights. Rounding errors grow by its exponential: 7 times in single, 400 times in
+#: double precision.
 MAX_PENETRATION = {np.float32: 2.0, np.float64: 6.0}
 
 
@@ -40,18 +41,18 @@ def outside_sums(
     """
     all_ranges = np.asarray(ranges, float)
     sums = np.empty((len(all_ranges), *[len(bodies.geometry.positions)] * 2))
-    are_shallow = _are_shallow(bodies, contact_pixels, all_ranges)
+    can_subtract = _can_subtract(bodies, contact_pixels, all_ranges)
     with THREAD_POOLS.limit(limits=1, user_api="blas"):
-        if are_shallow.any():
-            shallow_ranges = all_ranges[are_shallow].tolist()
-            sums[are_shallow] = sums_by_subtraction(bodies, contact_pixels, shallow_ranges)
-        if not are_shallow.all():
-            deep_ranges = all_ranges[~are_shallow].tolist()
-            sums[~are_shallow] = _sums_by_omission(bodies, contact_pixels, deep_ranges)
+        if can_subtract.any():
+            subtracted_ranges = all_ranges[can_subtract].tolist()
+            sums[can_subtract] = sums_by_subtraction(bodies, contact_pixels, subtracted_ranges)
+        if not can_subtract.all():
+            omitted_ranges = all_ranges[~can_subtract].tolist()
+            sums[~can_subtract] = _sums_by_omission(bodies, contact_pixels, omitted_ranges)
     return sums
 
 
-def _are_shallow(
+def _can_subtract(
     bodies: Bodies, contact_pixels: ContactPixels, ranges: Floats
 ) -> NDArray[np.bool_]:
     """Return the mask of ranges (rho,) at which `sums_by_subtraction` has enough digits."""
@@ -81,10 +82,10 @@ def _sums_by_omission(
     sums = np.empty((len(ranges), *[len(bodies.geometry.positions)] * 2))
     sphere_terms = smooth_sphere_terms if roughness is None else rough_sphere_terms
     terms = sphere_terms(bodies, touched_pixels, ranges)
-    for k, (rho, (totals, factor)) in enumerate(zip(ranges, terms, strict=True)):
+    for k, (rho, (totals, sphere_factor_at)) in enumerate(zip(ranges, terms, strict=True)):
         substrate_factor = exponential(touched_heights, highest_substrate, rho)
         for index in np.ndindex(totals.shape):
-            touched_terms = substrate_factor * factor(index)
+            touched_terms = substrate_factor * sphere_factor_at(index)
             sums[k][index] = touched_pixels.sum_outside(
                 index, float(totals[index]), touched_terms, highest, rho
             )

@@ -1,7 +1,7 @@
 """Estimates (`estimates`) about the band and the interaction radius, for claims.
 
-Forces are in N, lengths in nm. The arguments are the datasets that claims name, also if a function
-needs no number of them. `paper` has the numbers of resources/paper/constants.csv by name.
+Forces are in N, lengths in nm. Every function takes the datasets that its claim names, also those
+that it does not use. `paper` has the numbers of resources/paper/constants.csv by name.
 """
 
 import numpy as np
@@ -21,7 +21,10 @@ def band_edge(edges: xr.Dataset) -> xr.Dataset:
 
 
 def outermost_edge(edges: xr.Dataset) -> xr.Dataset:
-    """Return the `band_edge` of the coating whose force changes first (side)."""
+    """Return the `band_edge` of the coating whose force changes first (side).
+
+    Each end of the interval is the outermost of that end over the coatings.
+    """
     coating_edges = band_edge(edges).drop_sel(group=MEAN_GROUP)
     short_edge = coating_edges.sel(side="short").min("group")
     long_edge = coating_edges.sel(side="long").max("group")

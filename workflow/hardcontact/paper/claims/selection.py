@@ -84,7 +84,7 @@ def select_estimate(estimate: xr.Dataset, labels: SelectedLabels, rule: str) -> 
             f"{', '.join(map(str, remaining))}"
         )
     worst = estimate.max(remaining) if rule == "below" else estimate.min(remaining)
-    # The worst value has no interval if any value lacks one: that value may be the worst.
+    # Missing values do not count. If another value lacks an interval, it may be the worst one.
     has_interval = estimate["value_interval"].notnull().all("end") | estimate["value"].isnull()
     return worst.assign(value_interval=worst["value_interval"].where(has_interval.all(remaining)))
 

@@ -54,14 +54,17 @@ def save_figure(
     style.freeze_layout(figure)
     with ExitStack() as stack:
         paths = {kind: stack.enter_context(atomic_file(outputs[kind])) for kind in FILE_KINDS}
-        for kind, constant in (("png", {"Software": None}), ("pdf", {"CreationDate": None})):
-            metadata = {"Title": title} | constant
+        for kind, left_out in (("png", {"Software": None}), ("pdf", {"CreationDate": None})):
+            metadata = {"Title": title} | left_out
             figure.savefig(paths[kind], format=kind, dpi=RESOLUTION, metadata=metadata)
         Path(paths["svg"]).write_bytes(svg_bytes(figure, title, svg_resolution))
 
 
 def svg_bytes(figure: Figure, title: str, resolution: float) -> bytes:
-    """Return a figure as SVG for pages, with images of a resolution in dots per inch."""
+    """Return a figure as SVG for pages, with images of a resolution in dots per inch.
+
+    Artists with many points are images afterwards.
+    """
     for artist in figure.findobj(lambda artist: not artist.get_rasterized()):
         artist.set_rasterized(_has_many_points(artist))
     buffer = BytesIO()

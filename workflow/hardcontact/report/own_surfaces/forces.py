@@ -32,7 +32,7 @@ WAVEVECTORS_PER_OCTAVE = 33
 
 
 def force_numbers(data: Datasets) -> list[Number]:
-    """Return the forces of one surface at the configured range, and that of a smooth sphere."""
+    """Return the forces of one surface at the configured range, and numbers that explain them."""
     force = data.force
     forces = forces_at_range(force)
     mean = number_of(forces, "force", name="mean_force")
@@ -148,9 +148,9 @@ def comparison_numbers(data: Datasets, reference: Datasets) -> Iterator[Number]:
     status = NumberStatus.PLAIN if np.isfinite([low, high]).any() else NumberStatus.NO_INTERVAL
     yield Number("force_over_reference", ratio, "1", low, high, status)
     octaves, contributions = _octave_contributions(data, reference)
-    # Some octaves may change the ratio in the opposite direction.
-    shares = contributions * np.log(ratio)
-    strongest = [index for index in np.argsort(-shares)[:NAMED_OCTAVE_COUNT] if shares[index] > 0]
+    # Positive where an octave changes the ratio in the direction of the whole change.
+    aligned = contributions * np.log(ratio)
+    strongest = [index for index in np.argsort(-aligned)[:NAMED_OCTAVE_COUNT] if aligned[index] > 0]
     for rank, index in enumerate(strongest, start=1):
         name = f"force_over_reference_octave_{rank}"
         yield Number(name, float(octaves[index]), "nm")
@@ -164,9 +164,10 @@ def _log_distances(number: Number) -> Floats:
 
 
 def _octave_contributions(data: Datasets, reference: Datasets) -> tuple[Floats, Floats]:
-    """Return octaves (nm) that scans of both surfaces show, and their parts of ln(force ratio).
+    """Return octaves that scans of both surfaces show, and their parts of ln(force ratio).
 
-    A part is the change of ln(amplitude) times the mean sensitivity d ln F / d ln a.
+    An octave is given by its shortest wavelength in nm. A part is the change of ln(amplitude) times
+    the mean sensitivity d ln F / d ln a.
     """
     is_shown = shown_octaves(data) & shown_octaves(reference)
     octaves = data.sensitivity["octave"].values[is_shown]
