@@ -11,6 +11,7 @@ import threading
 import time
 from collections import Counter
 from collections.abc import Mapping
+from contextlib import suppress
 from datetime import timedelta
 from logging import WARNING, LogRecord
 from pathlib import Path
@@ -105,7 +106,8 @@ class LogHandler(LogHandlerBase):
 
     def _say(self, text: str) -> None:
         self._last_line = time.monotonic()
-        print(text, file=self._stream, flush=True)
+        with suppress(BrokenPipeError):  # The reader of a pipe, such as `head`, may have ended.
+            print(text, file=self._stream, flush=True)
 
     def _show_failure(self, fields: Mapping[str, Any]) -> None:
         """Show a job that failed, unless the study has shown why the cluster ended it."""

@@ -161,10 +161,10 @@ def _numbers_of_both(
     Two studies of one surface each are compared whatever their surfaces are called.
     """
     labels = {surface["name"]: surface["label"] for surface in first["surfaces"]}
-    second_names = [surface["name"] for surface in second["surfaces"]]
-    names = {name: name for name in labels if name in second_names}
-    if len(labels) == len(second_names) == 1:
-        names = dict(zip(labels, second_names, strict=True))
+    second_labels = {surface["name"]: surface["label"] for surface in second["surfaces"]}
+    names = {name: name for name in labels if name in second_labels}
+    if len(labels) == len(second_labels) == 1:
+        names = dict(zip(labels, second_labels, strict=True))
     for name, second_name in {"": "", **names}.items():
         second_numbers = numbers_of_answer(second, second_name)
         for number in numbers_of_answer(first, name).values():
@@ -172,7 +172,8 @@ def _numbers_of_both(
             if second_number is None or number.source == "published":
                 continue
             if is_known(number) or is_known(second_number):
-                label = labels.get(name, "")
+                both_labels = (labels.get(name, ""), second_labels.get(second_name, ""))
+                label = " / ".join(dict.fromkeys(both_labels))
                 yield ComparedNumber(label, number.name, number, second_number)
 
 
