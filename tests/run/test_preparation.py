@@ -5,6 +5,7 @@ from copy import deepcopy
 from types import SimpleNamespace
 
 import pytest
+import yaml
 from refusals import assert_says
 from repository import PAPER, ROOT, TINY
 from snakemake.cli import parse_config
@@ -83,6 +84,21 @@ def test_a_study_of_the_project_has_other_values_only_if_asked():
     )
     for words in ((harder, "overwrite=true"), (harder, "study=harder")):
         preparation.complete_configuration(*configured(*words))
+
+
+def test_a_run_says_which_values_of_an_earlier_run_it_replaces(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    earlier = tmp_path / "results/harder/configuration.yaml"
+    earlier.parent.mkdir(parents=True)
+    harder = {"study": "harder", "contact": PAPER["contact"] | {"hardness": "30 GPa"}}
+    earlier.write_text(yaml.safe_dump(PAPER | harder), "utf-8")
+    for hardness, line in (("30 GPa", ""), ("40 GPa", "'40 GPa' in place of '30 GPa'")):
+        words = (f"contact={{hardness: {hardness}}}", "study=harder")
+        preparation.complete_configuration(*configured(*words))
+        assert line in (printed := capsys.readouterr().err) and bool(line) == bool(printed)
+    earlier.write_text("unknown: key", "utf-8")
+    preparation.complete_configuration(*configured("study=harder"))
+    assert capsys.readouterr().err == ""
 
 
 def test_a_quick_study_has_its_own_folders():

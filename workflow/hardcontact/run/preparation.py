@@ -5,6 +5,7 @@ A study that would fail later is refused.
 
 import logging
 import os
+import sys
 import tempfile
 from collections.abc import Mapping
 from pathlib import Path
@@ -132,6 +133,8 @@ def complete_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, A
         study = numeric_configuration(config)
         if plans_the_run(workflow) and overwrite is not True:
             _refuse_changed_project_study(config)
+        if plans_the_run(workflow):
+            _announce_changed_values(config)
         if study["quick"]:  # Its keys are checked even if they are not used.
             numeric_configuration(apply_effort(config | {"effort": "quick"}), "effort quick: ")
         return study
@@ -156,19 +159,36 @@ def _refuse_changed_project_study(config: Mapping[str, Any]) -> None:
         project = merge_overlay(project, read_yaml("config/quick.yaml"))
     if name != project["study"]:
         return
-    project_study = numeric_configuration(project)
-    study = numeric_configuration(config)
-    changes = [
-        f"{key}: {shorten(get_key(config, key))} in place of {shorten(get_key(project, key))}"
-        for key, _ in key_fields(Study)
-        if key != "quick" and get_key(project_study, key) != get_key(study, key)
-    ]
-    if changes:
+    if changes := _changed_values(config, project):
         raise ValueError(
             f"study {name}: expected the values of the project, found {', '.join(changes)}: give "
             f"the study a name (study: my-name), or replace results/{name} with --config "
             "overwrite=true"
         )
+
+
+def _announce_changed_values(config: Mapping[str, Any]) -> None:
+    """Print the values that differ from those of an earlier run of this study."""
+    path = Path(f"results/{config['study']}/configuration.yaml")
+    if not path.is_file():
+        return
+    try:
+        changes = _changed_values(config, yaml.safe_load(path.read_text("utf-8")))
+    except (KeyError, ValueError):  # of another version, or edited
+        return
+    if changes:
+        line = f"study {config['study']}: makes again what depends on {', '.join(changes)}"
+        print(line, file=sys.stderr, flush=True)
+
+
+def _changed_values(config: Mapping[str, Any], earlier: Mapping[str, Any]) -> list[str]:
+    """Return the keys with other values than in an earlier configuration, and both values."""
+    study, earlier_study = numeric_configuration(config), numeric_configuration(earlier)
+    return [
+        f"{key}: {shorten(get_key(config, key))} in place of {shorten(get_key(earlier, key))}"
+        for key, _ in key_fields(Study)
+        if key != "quick" and get_key(earlier_study, key) != get_key(study, key)
+    ]
 
 
 def yaml_values(value: Any) -> Any:
