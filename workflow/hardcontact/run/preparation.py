@@ -131,9 +131,9 @@ def complete_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, A
         # No key of a study: it lets another study replace the paper's.
         overwrite = yaml_values(config.pop("overwrite", False))
         study = numeric_configuration(config)
-        if plans_the_run(workflow) and overwrite is not True:
-            _refuse_changed_project_study(config)
         if plans_the_run(workflow):
+            if overwrite is not True:
+                _refuse_changed_project_study(config)
             _announce_changed_values(config)
         if study["quick"]:  # Its keys are checked even if they are not used.
             numeric_configuration(apply_effort(config | {"effort": "quick"}), "effort quick: ")
