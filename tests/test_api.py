@@ -295,3 +295,16 @@ def test_faulty_arguments_are_refused_in_one_line_in_the_words_of_python(files):
         message = refusal(partial(function, **arguments))
         assert_says(message, *message_parts)
         assert len(message.splitlines()) == 1 and "--" not in message and " key " not in message
+
+
+def test_the_example_scan_is_reproduced_by_its_code(tmp_path, monkeypatch):
+    folder = ROOT / "resources/examples"
+    code = re.search(
+        r"^```python\n(.*?)^```", (folder / "README.md").read_text("utf-8"), re.M | re.S
+    )
+    monkeypatch.chdir(tmp_path)
+    exec(code[1], {})
+    written, shipped = (np.loadtxt(path / "demo.txt") for path in (tmp_path, folder))
+    np.testing.assert_allclose(written, shipped, atol=0.011)
+    scan = hc.read_scan(folder / "demo.txt")
+    assert (scan.pixels, scan.size) == (256, pytest.approx(5000)) and 9 < scan.heights.std() < 11

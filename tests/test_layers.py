@@ -70,3 +70,12 @@ def test_a_layer_imports_from_lower_layers(layer):
 def test_the_library_does_not_grow():
     count = sum(code_lines(path) for path in LIBRARY.rglob("*.py"))
     assert count <= MAX_CODE_LINES, "raise it here, and say in the commit what a user gets for it"
+
+
+def test_only_the_start_of_a_run_imports_snakemake():
+    paths = {
+        path.relative_to(LIBRARY).as_posix()
+        for path in LIBRARY.rglob("*.py")
+        if any(name.partition(".")[0] == "snakemake" for name in imported(path))
+    }
+    assert paths == {"run/preparation.py", "run/reruns.py"}

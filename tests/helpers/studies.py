@@ -40,10 +40,9 @@ def table_of_own_scans(*paths):
     return "\n".join(rows) + "\n"
 
 
-def tiny_files():
-    """Return the files of the tiny study, as the rules have them."""
-    overlay = yaml.safe_load((ROOT / TINY).read_text())
-    study = numeric_configuration(merge_overlay(PAPER, overlay))
+def configured_files(config):
+    """Return the files of a configured study, as the rules have them."""
+    study = numeric_configuration(config)
     table = selected_surfaces.surface_table(study["surfaces"])
     rows = selected_surfaces.selected_scans(table, study["scans"])
     digests = selected_surfaces.digest_surfaces(rows)
@@ -51,6 +50,11 @@ def tiny_files():
         rows, study["sphere"]["surface"], digests, surfaces_of_table1()
     )
     return SurfaceFiles(StudyPlan(study, selection))
+
+
+def tiny_files():
+    """Return the files of the tiny study."""
+    return configured_files(merge_overlay(PAPER, yaml.safe_load((ROOT / TINY).read_text())))
 
 
 def study_files(values=None, scans=(1, 2), measured_surfaces=()):

@@ -21,6 +21,15 @@ def test_missing_scans_change_no_mean():
     np.testing.assert_allclose(means[:, :1], sample_mean_forces(remaining_forces, sampling(10)))
 
 
+def test_random_numbers_depend_on_the_surface_but_not_on_the_forces():
+    forces = power_forces(spread=0.3)
+    samples = sample_mean_forces(forces, sampling(20))[1:]
+    doubled_samples = sample_mean_forces(2 * forces.isel(surface=slice(1, None)), sampling(20))[1:]
+    np.testing.assert_allclose(doubled_samples, 2 * samples[:, 1:])
+    first_surface, second_surface = np.log(samples[:, :2, 0]).T
+    assert abs(np.corrcoef(first_surface, second_surface)[0, 1]) < 0.9
+
+
 KNOWN = lognorm(0.9, scale=6e-8)
 #: Forces (scan, sphere_scan, contact) in N.
 FORCES = KNOWN.rvs(size=(5, 4, 200), random_state=np.random.default_rng(0))

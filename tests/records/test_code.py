@@ -1,5 +1,6 @@
 """Packages are installed as pinned; jobs depend on the pins, not on what is written around them."""
 
+import ast
 from pathlib import Path
 
 import pytest
@@ -79,3 +80,8 @@ def test_all_requirements_are_in_the_list_of_all_packages_with_the_same_version(
         code.normalize_names(code.read_pins(ROOT / path)) for path in (code.ENVIRONMENT, code.LOCK)
     )
     assert required.items() <= locked.items()
+
+
+def test_imports_that_python_runs_are_inputs_and_those_for_type_checkers_are_not():
+    text = "if TYPE_CHECKING:\n import a\nelse:\n import b\nif not TYPE_CHECKING:\n import c"
+    assert [*code._imported_names(ast.parse(text))] == ["b", "c"]

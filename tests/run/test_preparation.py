@@ -95,7 +95,9 @@ def test_a_run_says_which_values_of_an_earlier_run_it_replaces(tmp_path, monkeyp
     for hardness, line in (("30 GPa", ""), ("40 GPa", "'40 GPa' in place of '30 GPa'")):
         words = (f"contact={{hardness: {hardness}}}", "study=harder")
         preparation.complete_configuration(*configured(*words))
-        assert line in (printed := capsys.readouterr().err) and bool(line) == bool(printed)
+        printed = capsys.readouterr().err
+        assert line in printed
+        assert bool(printed) == bool(line)
     earlier.write_text("unknown: key", "utf-8")
     preparation.complete_configuration(*configured("study=harder"))
     assert capsys.readouterr().err == ""

@@ -1,6 +1,7 @@
 """The documentation links to files and names files that exist; README has the page's numbers."""
 
 import re
+from importlib.util import find_spec
 
 import pytest
 from html_page import Page
@@ -42,3 +43,14 @@ def test_the_page_of_the_full_study_has_the_numbers_of_the_readme():
     assert len(readme_intervals) >= 9
     for numbers in readme_intervals:
         assert any(all(map(is_rounded, numbers, row)) for row in page_intervals), numbers
+
+
+def test_modules_named_in_the_table_of_rules_exist():
+    """There `.b` after `a.c` stands for `a.b`."""
+    text = (ROOT / "workflow/README.md").read_text("utf-8")
+    cells = re.findall(r"^(?:\|[^|\n]*){3}\|([^|\n]*)\|[^|\n]*\|$", text, re.M)
+    assert len(cells) > 10
+    package = ""
+    for layer, name in re.findall(r"`(\w*)\.(\w+)`", " ".join(cells)):
+        package = layer or package
+        assert find_spec(f"hardcontact.{package}.{name}"), (package, name)

@@ -1,18 +1,20 @@
 """The lines of a run in the terminal: stages and messages only, one for a failed SLURM job."""
 
 import logging
+import re
 import sys
 from types import SimpleNamespace
 from unittest.mock import MagicMock
 
 import pytest
 from refusals import assert_says
+from repository import ROOT
 from snakemake.logging import DefaultFormatter
 from snakemake_interface_logger_plugins.common import LogEvent
 
 from snakemake_logger_plugin_stages import LogHandler
 from snakemake_logger_plugin_stages.cluster import failure, study_logger
-from snakemake_logger_plugin_stages.costs import Stage
+from snakemake_logger_plugin_stages.costs import Stage, read_stages
 
 #: Rules of jobs; `my_rule` is not in the table of stages.
 JOBS = ["prepare_scan", "prepare_scan", "my_rule"]
@@ -216,3 +218,14 @@ def test_a_failure_has_the_reason_of_slurm_and_the_key_that_mends_it(tmp_path, m
     reported = failure(job, message, [str(path)])
     assert reported.startswith(f"SLURM job my_rule: {line}") and reported.endswith(f", see {path}")
     assert_says(failure(job, message, []), "SLURM job my_rule: ")
+
+
+def test_every_rule_with_jobs_has_a_name_for_people():
+    rules = {
+        name
+        for path in (ROOT / "workflow/rules").glob("*.smk")
+        for name in re.findall(r"^rule (\w+):", path.read_text("utf-8"), re.M)
+    }
+    assert rules - read_stages("full").keys() == {
+        "verify"  # which makes no file
+    }

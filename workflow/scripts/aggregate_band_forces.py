@@ -16,7 +16,8 @@ with run_job(snakemake) as job:
     # Only substitutes have whole surfaces; the forces on measured surfaces are NaN.
     band_forces = stack(ratios, ["surface"]).reindex(surface=params["surfaces"])
     # The bands are the same on all surfaces.
-    band_edge = forces["band_edge"].isel(map=0, drop=True)
+    first_surface = params["band_surfaces"][0]
+    band_edge = forces_by_surface[first_surface]["band_edge"].isel(map=0, drop=True)
     band_forces = add_surface_names(band_forces.assign(band_edge=band_edge), params)
     job.write(
         band_forces.assign_attrs(confidence=confidence, rho=rho),

@@ -6,7 +6,16 @@ from refusals import refusal
 from repository import ROOT
 
 from hardcontact.base.published import CLAIMS
+from hardcontact.contact.contact import CONTACT_MODELS
+from hardcontact.inference.band_forces import BAND_PARTS
+from hardcontact.inference.published_fit import PAIRS
+from hardcontact.paper.claims.selection import LABELS, SURFACES
 from hardcontact.paper.claims.statements import check_claims
+from hardcontact.paper.classical_comparison import METRIC_PREFIXES
+from hardcontact.paper.classical_models import CLASSICAL_MODELS, Roughness
+from hardcontact.paper.contact_dependence import SCALED_QUANTITIES
+from hardcontact.paper.posterior import NONE_LEFT_OUT
+from hardcontact.surfaces.synthesis import SIDES
 
 TABLE = pd.read_csv(ROOT / CLAIMS, dtype=str, keep_default_na=False)
 
@@ -57,3 +66,15 @@ def test_an_open_quote_is_refused_in_one_line(tmp_path):
     lines = (ROOT / CLAIMS).read_text("utf-8").splitlines()
     path.write_text("\n".join([*lines[:4], f'"{lines[4]}', *lines[5:]]), "utf-8")
     assert "claims.csv: expected" in refusal(check_claims, path)
+
+
+def test_labels_of_claims_are_those_of_the_library():
+    library = {
+        "contact_model": CONTACT_MODELS, "side": SIDES, "pair": PAIRS, "metrics": METRIC_PREFIXES,
+        "model": CLASSICAL_MODELS, "rms_parameter": Roughness._fields,
+        "exponent_of": SCALED_QUANTITIES, "band_part": BAND_PARTS,
+        "left_out": [NONE_LEFT_OUT, *SURFACES],
+    }  # fmt: skip
+    assert {name: [*labels] for name, labels in library.items()} == {
+        name: [*LABELS[name]] for name in library
+    }
