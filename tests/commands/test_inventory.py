@@ -37,8 +37,8 @@ def wave(slope=0.05):
 def test_roughness_excludes_tilt_and_the_shape_of_the_sphere(tmp_path):
     scan = only_scan(write_scan(tmp_path / "wave.nc", wave(), (640.0, 640.0)))
     assert scan.rms_height == pytest.approx(np.sqrt(2), rel=1e-3)  # of a cosine of 2 nm
-    assert scan.peak_to_valley == pytest.approx(4 * np.cos(np.pi / 8), rel=1e-3)
-    assert scan.relief > 30  # with the tilt, as the study sees it
+    assert scan.peak_to_valley == pytest.approx(4 * np.cos(np.pi / 8), rel=1e-3)  # beside crests
+    assert scan.relief > 30  # with the tilt of 32 nm
     x = (np.arange(64) - 31.5) * 10.0
     ball = -(x[:, None] ** 2 + x**2) / 2000 + wave(slope=0)
     scan = only_scan(write_scan(tmp_path / "ball.nc", ball, (640.0, 640.0)), sphere_radius=1000.0)
@@ -50,12 +50,12 @@ def test_a_folder_stands_for_its_files_of_which_unreadable_ones_are_left_out(tmp
     (tmp_path / "a.txt").write_text("notes")
     (tmp_path / ".hidden").write_text("no scan")
     arguments = new_arguments(["new", "name", str(tmp_path)])
-    scan_files, faults = list_scan_files(arguments, 1e5)
+    scan_files, faults = list_scan_files(arguments, radius=1e5)
     ((scan,), (line,), problems) = read_inventory(scan_files, ReadingOptions())
     assert scan.name == "b.nc" and not faults and not problems
     assert_says(line, "a.txt: expected")
     (tmp_path / "b.nc").unlink()
-    scan_files, _ = list_scan_files(arguments, 1e5)
+    scan_files, _ = list_scan_files(arguments, radius=1e5)
     _, _, problems = read_inventory(scan_files, ReadingOptions())
     assert_says(problems[0], "a.txt: expected")
 
@@ -72,19 +72,19 @@ def test_all_faulty_scans_and_duplicates_are_reported_at_once(tmp_path):
         write_scan(tmp_path / "other.nc", 1.01 * wave(), (640.0, 640.0)),
     ]
     _, _, problems = read_inventory([scan_file(path) for path in paths], ReadingOptions())
-    missing_fault, flat, text, copy = problems
+    missing_fault, flat_fault, text_fault, copy_fault = problems
     assert_says(missing_fault, "none.di", "no such file")
-    assert_says(flat, "flat.nc", "expected a rough surface", "constant height")
-    assert_says(text, "text.txt", "expected")
-    assert_says(copy, "again.nc", "expected each scan once", "first.nc")
+    assert_says(flat_fault, "flat.nc", "expected a rough surface", "constant height")
+    assert_says(text_fault, "text.txt", "expected")
+    assert_says(copy_fault, "again.nc", "expected each scan once", "first.nc")
 
 
 def test_an_area_counts_once(tmp_path):
     rng = np.random.default_rng(1)
     trace = rng.standard_normal((64, 64))
     retrace = np.roll(trace, 2, axis=0) + 0.1 * rng.standard_normal((64, 64))
-    scans = {"trace": trace, "other": rng.standard_normal((64, 64)), "retrace": retrace}
-    paths = [write_scan(tmp_path / f"{name}.nc", values) for name, values in scans.items()]
+    maps = {"trace": trace, "other": rng.standard_normal((64, 64)), "retrace": retrace}
+    paths = [write_scan(tmp_path / f"{name}.nc", heights) for name, heights in maps.items()]
     scans, left_out, problems = read_inventory(
         [scan_file(path) for path in paths], ReadingOptions()
     )
@@ -103,7 +103,7 @@ def test_the_tip_option_serves_only_files_that_state_no_tip_radius(
     monkeypatch.setattr(
         reading,
         "read_scan",
-        lambda *choices: replace(read_original(*choices), tip_radius=stated_radius),
+        lambda *arguments: replace(read_original(*arguments), tip_radius=stated_radius),
     )
     scan = only_scan(path, 12.0)
     assert scan.tip_radius == used_radius

@@ -22,12 +22,12 @@ NAME = "a-test.of_new"
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
     """Make a top folder with the project's configuration, where studies are written."""
-    for folder in ("config", "workflow"):
-        (tmp_path / folder).mkdir()
+    for name in ("config", "workflow"):
+        (tmp_path / name).mkdir()
     for file in ("config/config.yaml", "config/quick.yaml", "config/surfaces.tsv"):
         (tmp_path / file).write_bytes((ROOT / file).read_bytes())
-    for folder in ("resources", "workflow/schemas"):
-        (tmp_path / folder).symlink_to(ROOT / folder)
+    for name in ("resources", "workflow/schemas"):
+        (tmp_path / name).symlink_to(ROOT / name)
     for module in (new, request):
         monkeypatch.setattr(module, "ROOT", tmp_path)
     monkeypatch.chdir(tmp_path)

@@ -14,8 +14,7 @@ from repository import PAPER
 
 from hardcontact.commands.contact_scans import all_search_sizes, select_contact_scans
 from hardcontact.commands.inventory import UserScan
-from hardcontact.commands.new import values_by_key
-from hardcontact.commands.proposal import propose_keys
+from hardcontact.commands.proposal import propose_keys, values_by_key
 from hardcontact.commands.request import ScanFile
 from hardcontact.config.configuration import numeric_configuration, set_keys
 from hardcontact.config.limits import refuse_unfit_values
@@ -29,7 +28,7 @@ BIN = np.log(10) / 10
 
 
 def density(size, pixel, rms):
-    """Return C_iso (bins,) in nm4 of an rms height, between two pixels and the size of a scan."""
+    """Return C_iso (bins,) in nm⁴ of an rms height, from two pixels to the size of a scan."""
     wavelength = 2 * np.pi / BIN_CENTRES
     values = uncd_density(BIN_CENTRES)
     values[(wavelength < 2 * pixel) | (wavelength > size)] = np.nan
@@ -37,7 +36,7 @@ def density(size, pixel, rms):
 
 
 def user_scan(size=2500.0, pixels=512, rms=17.0, surface="a", **others):
-    """Return a height map of a surface; lengths in nm."""
+    """Return a scan of a surface, by default a height map; lengths in nm."""
     fields = {
         "dataset": "", "channel": "height", "file_unit": "nm", "kind": "map",
         "peak_to_valley": 6 * rms, "relief": 8 * rms, "tip_radius": None, "is_tip_given": False,
@@ -60,7 +59,7 @@ def user_contact(radius=250e3, preload=1e-5, hardness=25e9, rho=5.6):
 # Scans that contacts are made on
 
 BLIND = ReliableBand(3000.0, 2000.0, "tip")
-# Within 2 sqrt(2 R 4 nm) = 2.83 um a contact finds its summits; at an rms height of 17 nm, 5.83 um.
+# Search sizes, of which scans need twice: 1.67, 3.19, 13.8 um at rms heights of 4, 17, 400 nm.
 SIZES = [500, 1000, 5000, 5000, 10000, 20000]
 BALL = [user_scan(size, rms=1.0, surface="sphere") for size in (2500, 2500, 6000)]
 
@@ -68,7 +67,7 @@ BALL = [user_scan(size, rms=1.0, surface="sphere") for size in (2500, 2500, 6000
 @pytest.mark.parametrize(
     ("scans", "radius", "size_counts"),
     [
-        # The smallest size that holds the highest points; a small sphere finds them nearby.
+        # The smallest scans that are wide enough, or the widest. A small sphere needs finer pixels.
         ([user_scan(size, rms=4.0) for size in SIZES], 250e3, {5000: 2}),
         ([user_scan(size, rms=17.0) for size in SIZES], 250e3, {10000: 1}),
         ([user_scan(size, rms=400.0) for size in SIZES], 250e3, {20000: 1}),
@@ -89,7 +88,7 @@ BALL = [user_scan(size, rms=1.0, surface="sphere") for size in (2500, 2500, 6000
             [user_scan(5000, rms=4.0), user_scan(10000, rms=4.0, surface="b")], 250e3,
             {5000: 1, 10000: 1},
         ),
-        # The sphere follows the substrates, but no scan is larger than the sphere itself.
+        # The sphere follows the substrates, but no scan of it is wider than its radius.
         ([user_scan(6000), *BALL], 250e3, {6000: 2}),
         ([user_scan(7000), *BALL], 250e3, {7000: 1, 2500: 2}),
         ([user_scan(6000), *BALL], 5e3, {6000: 1, 2500: 2}),
@@ -141,14 +140,14 @@ def check_refusal(line, scan, contact):
     if line.startswith("surface a: expected a height map"):
         assert scan.pixel_size < 0.05
     elif line.startswith("config key adhesion.range"):  # or adhesion.ranges
-        # Two pixels in an interaction radius, relief of 500 ranges, depth of 25 ranges.
+        # Two pixels in an interaction radius, a relief of 500 ranges, a depth of 25 ranges.
         two_pixel_range = 2 * scan.pixel_size**2 / contact.radius
         shortest_range = max(two_pixel_range, scan.relief / 500, math.sqrt(area) / 25)
         assert shortest_range > 39.9, line  # The longest proposed range is 40 nm, rounded.
     else:
-        # At the border of a window the sphere is at most 14 ranges above its apex on smooth scans.
+        # At the border of a window the sphere is at least 14 ranges above its apex.
         window = min(2 * scan.size, 2 * math.sqrt(2 * contact.radius * 14 * contact.rho))
-        # As many as memory holds for 16 contacts, with a hundred images of each pixel.
+        # Memory holds 2**26, at least for 4 x 4 contacts in windows of 10 x 10 mirrored scans.
         max_pixels = 2**26 / 16 / 100
         assert line.startswith("config key contact.preload") and (
             area > 0.15 * window**2 or area > max_pixels * scan.pixel_size**2
@@ -178,15 +177,15 @@ def test_any_scan_gives_a_valid_study_or_a_justified_refusal(scans, contact):
 
 def test_scans_like_the_paper_s_get_about_its_grids():
     config, _ = both_efforts(user_contact(), propose_keys([user_scan()] * 5, None, user_contact()))
-    short_side, long_side = config["band"]["short"], config["band"]["long"]
-    assert config["contact"]["window"] == pytest.approx(12500, rel=0.01)
-    assert (
-        short_side["transition"] == pytest.approx(20, rel=0.05) and long_side["transition"] == 1000
-    )
-    assert short_side["pixels"] == long_side["pixels"] == 4096 and long_side["tiles"] == 4
-    # Both edges of the paper lie well inside.
-    assert short_side["cutoffs"][0] < 43 / 4 and short_side["cutoffs"][-1] == 2500
-    assert long_side["cutoffs"][0] <= 100 and long_side["cutoffs"][-1] == 10000
+    paper = numeric_configuration(PAPER)
+    assert config["contact"]["window"] == pytest.approx(paper["contact"]["window"], rel=0.01)
+    assert config["band"]["long"]["tiles"] == paper["band"]["long"]["tiles"]
+    for side, largest_first_cutoff in (("short", 43 / 4), ("long", 100)):  # far below the edges
+        keys, paper_keys = config["band"][side], paper["band"][side]
+        assert keys["transition"] == pytest.approx(paper_keys["transition"], rel=0.05)
+        assert keys["pixels"] == paper_keys["pixels"] / 2
+        assert keys["cutoffs"][0] <= largest_first_cutoff
+        assert keys["cutoffs"][-1] == paper_keys["cutoffs"][-1]
 
 
 @pytest.mark.parametrize("preload", [5e-6, 20e-6, 25e-6])
@@ -212,7 +211,7 @@ def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transi
     ("scan", "contact", "message_parts"),
     [
         (user_scan(reliable_band=BLIND), user_contact(), ["at no wavelength: the tip at 3 µm"]),
-        # For a relief of 5600 nm, exponentials overflow at ranges below 11.2 nm.
+        # A relief of 5600 nm permits ranges from a 500th, 11.2 nm.
         (user_scan(20000, rms=700.0), user_contact(), ["11.2 nm, not the usual 5.6 nm"]),
         # erf(1000 nm / sqrt(2 R rho))^2 of the smooth sphere's force lie in a window of 2 um.
         (
@@ -237,13 +236,16 @@ def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transi
 )  # fmt: skip
 def test_scans_that_spoil_the_forces_have_a_caution_with_numbers(scan, contact, message_parts):
     assert_says(" ".join(propose_keys([scan], None, contact).cautions), *message_parts)
-    few_gaps = user_scan(10000, rms=14, undefined_count=99)
-    assert not propose_keys([few_gaps], None, user_contact()).cautions
+
+
+def test_few_undefined_pixels_need_no_caution():
+    scan = user_scan(10000, rms=14, undefined_count=99)
+    assert not propose_keys([scan], None, user_contact()).cautions
 
 
 @pytest.mark.parametrize(("radius", "stated"), [(50e3, 250e3), (50e3, 60e3), (50e3, 40e3)])
 def test_a_stated_radius_that_the_scan_of_the_sphere_contradicts_is_questioned(radius, stated):
-    """Curvatures add: what is left of 1/R by another stated radius is their difference."""
+    """A scan keeps the difference of the curvatures of its sphere and of the stated one."""
     curvature_difference = abs(1 / radius - 1 / stated)
     ball = user_scan(
         defects={"curvature": {"curvature_radius": 1 / curvature_difference, "uncurved_share": 0.1}}

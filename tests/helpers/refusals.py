@@ -4,7 +4,7 @@ import pytest
 
 
 def refusal(call, *arguments, **options):
-    """Return the message of a call that refuses its input; each line but a count has "expected"."""
+    """Return the message of a call that refuses its input."""
     with pytest.raises(ValueError) as caught:
         call(*arguments, **options)
     message = str(caught.value)

@@ -10,7 +10,7 @@ from hardcontact.config.faults import raise_faults
 
 
 def main() -> int:
-    """Run the command of the command line, and print its report; return the exit code."""
+    """Run the command, print its report, and return the exit code."""
     words = join_units(sys.argv[1:])
     try:
         # A terminal would obey control characters, and tables are written in UTF-8.
@@ -55,7 +55,7 @@ def _run(words: Sequence[str]) -> tuple[str, int]:
 
 
 def _verify(words: Sequence[str]) -> tuple[str, int]:
-    """Return the files of a study that do not match their records, and the exit code."""
+    """Return the report on files that do not match their records, and the exit code."""
     from hardcontact.commands.options import CommandLine
     from hardcontact.commands.outputs import results_folder
     from hardcontact.records.verification import verify_study
@@ -68,7 +68,7 @@ def _verify(words: Sequence[str]) -> tuple[str, int]:
     # A study is at least /FOLDER/results/STUDY, which has four parts.
     if not folder.is_dir() or len(folder.parts) < 4:
         raise ValueError(f"{arguments.folder}: expected the results of a study, found none")
-    # Records name files from the folder that has `results`.
+    # Paths in records begin at the folder that has `results`.
     os.chdir(folder.parents[1])
     faults, summary = verify_study(folder.relative_to(folder.parents[1]))
     return "\n".join([*faults, *summary]), 1 if faults else 0
@@ -76,12 +76,12 @@ def _verify(words: Sequence[str]) -> tuple[str, int]:
 
 def join_units(words: Sequence[str]) -> list[str]:
     """Return the words of a command line, each number and the unit after it as one word."""
-    number = r"(--\w+=)?[0-9.]+([eE][+-]?[0-9]+)?"
-    arguments = list[str]()
+    number_pattern = r"(--\w+=)?[0-9.]+([eE][+-]?[0-9]+)?"
+    joined_words = list[str]()
     for word in words:
         is_unit = any(re.sub(r"\^2|²", "2", word) in units for units in FACTORS.values())
-        if is_unit and arguments and re.fullmatch(number, arguments[-1]):
-            arguments[-1] += word
+        if is_unit and joined_words and re.fullmatch(number_pattern, joined_words[-1]):
+            joined_words[-1] += word
         else:
-            arguments.append(word)
-    return arguments
+            joined_words.append(word)
+    return joined_words

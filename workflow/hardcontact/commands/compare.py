@@ -27,7 +27,7 @@ ANSWER = "answer.json"
 
 
 def compare_arguments(arguments: Sequence[str]) -> Namespace:
-    """Return the parsed command line, without the command; a wrong one ends the program."""
+    """Return the parsed arguments of the command; wrong ones end the program."""
     description = "Print the inputs and the numbers of two studies side by side."
     parser = CommandLine("hardcontact compare", description)
     for name in ("first", "second"):
@@ -38,7 +38,7 @@ def compare_arguments(arguments: Sequence[str]) -> Namespace:
 
 
 def compare(arguments: Namespace) -> str:
-    """Return the comparison as text, and write the page; a page - is returned instead."""
+    """Return the comparison as text, and write the page of --html; for "-" return it instead."""
     paths = [_answer_path(path) for path in (arguments.first, arguments.second)]
     inputs = {path: "those compared" for path in paths}
     faults = [*output_faults("html", arguments.html, inputs, arguments.overwrite)]
@@ -77,7 +77,7 @@ def _answer_path(path: str) -> str:
 
 
 def _read_answer(path: str) -> dict[str, Any]:
-    """Return the content of answer.json, if it is the answer of a study."""
+    """Return the content of answer.json; raise ValueError if it is not the answer of a study."""
     if not Path(path).is_file():
         found = "no such folder"
         if Path(path).parent.is_dir():
@@ -94,7 +94,7 @@ def _read_answer(path: str) -> dict[str, Any]:
 
 
 def _read_sets(path: str) -> dict[str, xr.Dataset]:
-    """Return the datasets of sets of scans beside answer.json, or none if one is missing."""
+    """Return SET_DATASETS beside answer.json by name, or none if one is missing."""
     paths = {name: Path(path).parent / f"{name}.nc" for name in SET_DATASETS}
     if not all(dataset_path.is_file() for dataset_path in paths.values()):
         return {}

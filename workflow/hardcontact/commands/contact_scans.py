@@ -15,7 +15,7 @@ from hardcontact.surfaces.spectrum import BIN_CENTRES, Spectrum
 from hardcontact.theory.summits import search_size
 
 #: Fewest pixels that the interaction radius sqrt(D rho) spans on a scan that resolves it well: a
-#: tenth of the 343 pixels in the paper (1.7 µm at 5.6 nm, on pixels of 4.9 nm).
+#: tenth of some 343 pixels in the paper (1.7 µm at 5.6 nm, on pixels of 4.9 nm).
 MIN_RADIUS_PIXELS = 32
 #: Scans of one surface with equal numbers and sizes of pixels.
 Group = list[UserScan]
@@ -31,8 +31,8 @@ def all_search_sizes(
     sphere_density = np.fmax.reduce([np.zeros_like(BIN_CENTRES), *sphere_densities])
     for scan in scans:
         surface = scan.scan_file.surface
-        is_measured = np.isfinite(scan.density)
         if surface != sphere:
+            is_measured = np.isfinite(scan.density)
             density = scan.density + sphere_density
             spectrum = Spectrum(BIN_CENTRES[is_measured], density[is_measured])
             size = search_size(spectrum, contact.radius, contact.area)
@@ -45,7 +45,7 @@ def select_contact_scans(
 ) -> tuple[list[UserScan], list[str]]:
     """Return the scans that contacts are made on, on one grid a surface, and the reasons.
 
-    All surfaces need the largest search size, so that they are compared on one size if possible.
+    The largest search size serves all surfaces, so that they are compared on one size if possible.
     """
     groups = _group_by_grid(scans)
     sphere_groups = groups.pop(sphere) if sphere is not None else []
@@ -67,7 +67,7 @@ def select_contact_scans(
 
 
 def _group_by_grid(scans: Sequence[UserScan]) -> dict[str, list[Group]]:
-    """Return the height maps of each surface, those on the same pixels together."""
+    """Return the height maps of each surface with accepted pixels, by number and size of pixels."""
     low, high = PIXEL_SIZES
     groups: dict[str, list[Group]] = {}
     for surface, surface_scans in scans_by_surface(scans).items():
@@ -96,9 +96,9 @@ def _best_group(
 ) -> tuple[Group, str]:
     """Return the scans of a surface that contacts are made on, and the reason; lengths in nm."""
     reliable = [group for group in groups if any(scan.has_reliable_wavelengths for scan in group)]
-    largest_pixel = interaction_radius / MIN_RADIUS_PIXELS
     usable = reliable or groups
-    resolved = [group for group in usable if group[0].pixel_size <= largest_pixel]
+    max_pixel_size = interaction_radius / MIN_RADIUS_PIXELS
+    resolved = [group for group in usable if group[0].pixel_size <= max_pixel_size]
     large = [group for group in resolved if group[0].size >= sufficient_size]
     goal = f"{format_length(sufficient_size)}, twice the search size 2 sqrt(2 R sigma²/m)"
     if large:
@@ -115,18 +115,18 @@ def _best_group(
 
 
 def _sphere_group(groups: list[Group], substrates: Sequence[UserScan], radius: float) -> Group:
-    """Return the scans of the sphere: those on the substrates' grid, or the largest group."""
+    """Return scans of the sphere: not too large, then on the substrates' grid, then the most."""
 
     def rank(group: Group) -> tuple[bool, bool, int, float]:
         scan = group[0]
         # Both bodies are computed on the finer pixels of the two.
-        is_too_large = any(
+        is_too_large = scan.size > radius or any(
             2 * max(scan.size, substrate.size) / min(scan.pixel_size, substrate.pixel_size)
             > MAX_MAP_PIXELS
             for substrate in substrates
         )
         matches = all(same_pixels(scan.extent, substrate.extent) for substrate in substrates)
-        return is_too_large or scan.size > radius, not matches, -len(group), -scan.size
+        return is_too_large, not matches, -len(group), -scan.size
 
     return min(groups, key=rank)
 

@@ -1,4 +1,4 @@
-"""The scans in the user's files: what each file states, and what is measured on it."""
+"""The user's scans: what their files state, and what is measured on them."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ from hardcontact.scans.scan_pairs import coarse_map, repetition_notes
 from hardcontact.surfaces.height_map import HeightMap
 
 
-@dataclass(frozen=True, eq=False)  # A scan equals no other one.
+@dataclass(frozen=True, eq=False)  # A scan equals only itself.
 class UserScan:
     """A scan of the user; lengths are in nm."""
 
@@ -30,14 +30,14 @@ class UserScan:
     pixels: int  #: Pixels per row of a map, or points of a line scan.
     pixel_size: float
     rms_height: float  #: Of the levelled scan, without the shape of a sphere.
-    peak_to_valley: float  #: Of the levelled scan, without the shape of a sphere.
-    relief: float  #: The largest difference in height, levelled or not.
+    peak_to_valley: float  #: Of the levelled scan, too.
+    relief: float  #: Highest minus lowest height as read, or levelled if that is more.
     tip_radius: float | None
-    is_tip_given: bool  #: Whether the user gave the radius, because the file states none.
+    is_tip_given: bool  #: Whether the tip radius is the user's, because the file states none.
     reliable_band: ReliableBand
-    density: Floats  #: C_iso (bins,) in nm⁴
+    density: Floats  #: C_iso (bins,) in nm⁴; NaN in empty bins.
     undefined_count: int  #: Number of undefined pixels, which were filled.
-    notes: tuple[str, ...]  #: What was done in reading.
+    notes: tuple[str, ...]  #: What was done in reading, and cautions: see `split_notes`.
     defects: Mapping[str, Mapping[str, float]]  #: Numbers by defect: see `scans.defects`.
     coarse_map: HeightMap  #: The levelled scan on few pixels, to find scans of the same area.
 
@@ -78,9 +78,9 @@ def read_inventory(
     for scan_file in scan_files:
         file_scans, faults = _read_file(scan_file, options, channel)
         scans += file_scans
-        # A faulty scan stops nothing beside sound ones of its container, or in a named folder.
-        lines = unreadable if file_scans or scan_file.is_in_folder else problems
-        lines += faults
+        # Faulty scans are left out beside sound ones of their container, or in a named folder.
+        is_left_out = bool(file_scans) or scan_file.is_in_folder
+        (unreadable if is_left_out else problems).extend(faults)
     if not scans and not problems:
         problems += unreadable
     problems += _copy_faults(scans)
@@ -165,7 +165,7 @@ def _measure_scan(scan_file: ScanFile, scan: HeightMap, options: ReadingOptions)
         peak_to_valley=peak_to_valley,
         relief=max(float(relief), peak_to_valley),
         tip_radius=tip_radius,
-        is_tip_given=tip_radius is not scan.tip_radius,
+        is_tip_given=scan.tip_radius is None and options.tip_radius is not None,
         reliable_band=reliable_band(flat, tip_radius, density),
         density=density,
         undefined_count=scan.undefined_count,

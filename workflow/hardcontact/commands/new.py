@@ -2,7 +2,6 @@
 
 from argparse import Namespace
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
 
 from hardcontact.base.atomic_file import write_text_file
 from hardcontact.base.formatting import format_length
@@ -15,7 +14,7 @@ from hardcontact.commands.options import (
     unit_questions,
 )
 from hardcontact.commands.outputs import align_cells
-from hardcontact.commands.proposal import Choice, Proposal, propose_keys
+from hardcontact.commands.proposal import Choice, Proposal, propose_keys, values_by_key
 from hardcontact.commands.request import SPHERE, list_scan_files, name_faults, path_from_root
 from hardcontact.commands.scan_cautions import refuse_unreliable
 from hardcontact.config.configuration import (
@@ -86,7 +85,7 @@ def _write_study(
 def _cell_faults(rows: Sequence[Mapping[str, str]]) -> list[str]:
     """Return the faults of the cells of the table of surfaces."""
     faults: list[str] = []
-    # `label_faults` checks labels once; the id in place of the label keeps rows from repeating it.
+    # `label_faults` names a faulty label once. Rows would repeat it, so they get the id instead.
     for row in rows:
         with collect_faults(faults):
             validate(SurfaceRow, {**row, "label": row["surface"]}, f"{row['path']!r}: ")
@@ -96,7 +95,7 @@ def _cell_faults(rows: Sequence[Mapping[str, str]]) -> list[str]:
 def _propose_study(
     arguments: Namespace, quantities: Mapping[str, QuantityOption], scans: Sequence[UserScan]
 ) -> tuple[Proposal, list[Choice]]:
-    """Return a proposal that the study accepts at both efforts, and the keys of full effort."""
+    """Return a proposal that the study accepts at both efforts, and all choices of full effort."""
     contact = contact_of_quantities(quantities)
     sphere = SPHERE if arguments.sphere else None
     proposal = propose_keys(scans, sphere, contact, quantities["range"].is_given)
@@ -120,7 +119,7 @@ def _propose_study(
 def _choices_without_scans(
     arguments: Namespace, quantities: Mapping[str, QuantityOption]
 ) -> Iterator[Choice]:
-    """Yield the keys that do not depend on the scans."""
+    """Yield the choices that do not depend on the scans."""
     name = arguments.name
     yield Choice("study", name, f"results in results/{name}/, quick ones in results/{name}-quick/")
     yield Choice("store", f"results/store-{name}", "intermediates")
@@ -143,7 +142,7 @@ def _choices_without_scans(
     sphere_reason = "its scans" if arguments.sphere else "no scans of it"
     yield Choice("sphere.surface", SPHERE if arguments.sphere else SMOOTH_SPHERE, sphere_reason)
     for option, (key, meaning) in CONTACT_QUANTITIES.items():
-        if option != "range":  # which the scans may not permit
+        if option != "range":  # which depends on the scans
             quantity = quantities[option]
             origin = "as given" if quantity.is_given else f"the paper's; --{option} changes it"
             yield Choice(key, quantity.text, f"{meaning}: {origin}")
@@ -152,7 +151,7 @@ def _choices_without_scans(
 def surface_rows(
     scans: Sequence[UserScan], contact_scans: Sequence[UserScan], tip_radius: str
 ) -> list[dict[str, str]]:
-    """Return the rows of the table of surfaces by column; scans that make contacts come first."""
+    """Return the row of each scan by column; of a surface, scans that make contacts come first."""
     return [
         {
             "surface": surface,
@@ -169,11 +168,6 @@ def surface_rows(
             sorted(surface_scans, key=lambda scan: scan not in contact_scans), 1
         )
     ]
-
-
-def values_by_key(choices: Sequence[Choice]) -> dict[str, Any]:
-    """Return the values of choices by their keys."""
-    return {choice.key: choice.value for choice in choices}
 
 
 def _overlay_text(command: str, choices: Sequence[Choice], quick: Sequence[Choice]) -> str:
@@ -203,11 +197,12 @@ def _report_lines(
     yield from proposal.reasons
     yield "\nChosen:"
     for key, value, reason in choices:
+        words = value
         if isinstance(value, list):
             is_short = len(value) <= len(CONTACT_QUANTITIES)
             ends = f"{len(value)} values, {value[0]} to {value[-1]}"
-            value = ", ".join(value) if is_short else ends
-        yield f"{key}: {value}" + (f" ({reason})" if reason else "")
+            words = ", ".join(value) if is_short else ends
+        yield f"{key}: {words}" + (f" ({reason})" if reason else "")
     if proposal.cautions:
         yield "\nTake care:"
         yield from (f"- {caution}" for caution in proposal.cautions)
@@ -246,5 +241,5 @@ def _scan_table(scans: Sequence[UserScan], contact_scans: Sequence[UserScan]) ->
 
 
 def _header_and_cells(rows: Sequence[Mapping[str, str]]) -> list[list[str]]:
-    """Return the columns of a table, then the cells of each row."""
+    """Return the names of the columns of a table, then the cells of each row."""
     return [list(rows[0]), *(list(row.values()) for row in rows)]

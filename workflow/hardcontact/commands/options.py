@@ -19,29 +19,29 @@ class CommandLine(ArgumentParser):
     """A parser without abbreviated options, which suggests a known word for an unknown one."""
 
     def __init__(self, command: str, description: str) -> None:
-        """Take the command, and the text with which its help begins."""
+        """Take the command and the first text of its help."""
         super().__init__(
             command, description=description, formatter_class=RawDescriptionHelpFormatter,
             allow_abbrev=False,
         )  # fmt: skip
 
     def error(self, message: str) -> NoReturn:
-        """End the program with one line, which asks whether another word is meant."""
+        """End the program with one line, which may suggest a known word."""
         question = self._spelling_question(message)
         self.exit(2, f"error: {message}{question}; {self.prog} --help lists all options\n")
 
     def _spelling_question(self, message: str) -> str:
         """Return a question if a message names a word that resembles a known one, or no text."""
         if "invalid choice: " in message:
-            choice = message.partition("invalid choice: '")[2].partition("'")[0]
+            unknown_word = message.partition("invalid choice: '")[2].partition("'")[0]
             known_words = [word for action in self._actions for word in action.choices or ()]
         else:
-            unknown = message.partition("unrecognized arguments: ")[2].partition(" ")[0]
-            choice = unknown.partition("=")[0]
-            if choice == "--diameter":
+            unknown_argument = message.partition("unrecognized arguments: ")[2].partition(" ")[0]
+            unknown_word = unknown_argument.partition("=")[0]
+            if unknown_word == "--diameter":
                 return " (did you mean --radius, with half of it?)"
             known_words = [name for name in self._option_string_actions if name.startswith("--")]
-        return spelling_question(choice, known_words)
+        return spelling_question(unknown_word, known_words)
 
 
 class QuantityOption(NamedTuple):
@@ -50,11 +50,11 @@ class QuantityOption(NamedTuple):
     text: str  #: As written, with its unit.
     number: float  #: In `unit`.
     unit: str  #: Unit of the key in the study.
-    is_given: bool  #: Whether the user gave it, not the paper.
+    is_given: bool  #: Whether the user gave it.
 
 
 def add_shared_options(parser: ArgumentParser) -> None:
-    """Add the options of both commands: quantities, and properties that files may not state."""
+    """Add the options of both commands: quantities, and how scans are read."""
     for name, (key, meaning) in CONTACT_QUANTITIES.items():
         default = key_field(key).default
         parser.add_argument(f"--{name}", help=f"{meaning} (the paper's: {default})")
@@ -77,13 +77,13 @@ def add_shared_options(parser: ArgumentParser) -> None:
 
 
 def parse_quantities(arguments: Namespace) -> tuple[dict[str, QuantityOption], list[str]]:
-    """Return the quantities of the command line by name, and a line for each fault.
+    """Return the quantities of the command line by name, and a line for each fault, also of --unit.
 
     Quantities of the contact that are missing or faulty have the paper's value.
     """
     types = {name: quantity_type(key) for name, (key, _) in CONTACT_QUANTITIES.items()}
     types |= {"tip": TIP_RADIUS, "size": quantity_type("scan.map_size")}
-    types["modulus"] = types["hardness"]  # It has the same unit and bounds.
+    types["modulus"] = types["hardness"]  # The same unit and bounds.
     quantities = {}
     faults: list[str] = []
     with collect_faults(faults, "--unit: "):
@@ -124,7 +124,7 @@ def reading_options(
 
 
 def unit_questions(quantities: Mapping[str, QuantityOption]) -> Iterator[str]:
-    """Yield a question for each quantity of the user that is not usual."""
+    """Yield a question for each unusual quantity of the contact that the user gave."""
     for name in CONTACT_QUANTITIES:
         option = quantities[name]
         question = unit_question(name, option.number)

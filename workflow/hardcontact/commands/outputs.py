@@ -18,14 +18,14 @@ def output_faults(
 ) -> Iterator[str]:
     """Yield a line if the output of an option cannot be written, or would replace a file.
 
-    `inputs` are words such as "that of the surface", by path.
+    `inputs` are words for files read, such as "that of the surface", by path.
     """
     if path is None or path == "-":
         return
     real_path = Path(path).resolve()
-    names = {Path(name).resolve(): words for name, words in inputs.items()}
-    if real_path in names:
-        yield f"--{option}: expected another file than {names[real_path]}, found {path}"
+    input_words = {Path(name).resolve(): words for name, words in inputs.items()}
+    if real_path in input_words:
+        yield f"--{option}: expected another file than {input_words[real_path]}, found {path}"
     elif not real_path.parent.is_dir() or real_path.is_dir():
         yield f"--{option}: expected a file in a folder that exists, found {path}"
     elif real_path.is_file() and not overwrite:
@@ -46,7 +46,7 @@ def align_cells(rows: Sequence[Sequence[str]]) -> list[str]:
 
 
 def write_output(path: str, text: str) -> None:
-    """Write a file completely; pipes and devices take the text as it comes."""
+    """Write a file completely or not at all, except pipes and devices."""
     if Path(path).exists() and not Path(path).is_file():
         Path(path).write_text(text, "utf-8")
         return

@@ -41,7 +41,7 @@ USAGE = Path(__file__).with_name("predict_help.txt").read_text("utf-8")
 
 
 def predict_arguments(arguments: Sequence[str]) -> Namespace:
-    """Return the parsed command line, without the command; a wrong one ends the program."""
+    """Return the parsed arguments of the command; wrong ones end the program."""
     parser = CommandLine("hardcontact predict", USAGE)
     parser.add_argument("file", metavar="FILE", help="CSV of the power spectral density, or a scan")
     add_shared_options(parser)
@@ -60,7 +60,7 @@ def predict_arguments(arguments: Sequence[str]) -> Namespace:
 
 
 class Inputs(NamedTuple):
-    """The inputs of a prediction, read from the command line and from the files that it names."""
+    """The inputs of a prediction, read from the command line and its files."""
 
     quantities: dict[str, QuantityOption]  #: By name.
     contact: Contact
@@ -69,7 +69,7 @@ class Inputs(NamedTuple):
 
 
 def predict(arguments: Namespace) -> str:
-    """Return the prediction in words, and write the file of numbers; a file - is returned."""
+    """Return the prediction in words, and write the JSON of --json; for "-" return it instead."""
     inputs = read_inputs(arguments)
     numbers = compute_numbers(inputs, arguments.file)
     if arguments.json == "-":
@@ -85,9 +85,9 @@ def read_inputs(arguments: Namespace) -> Inputs:
     quantities, faults = parse_quantities(arguments)
     contact = contact_of_quantities(quantities, CONTACTS_PER_ROW)
     cautions = [*unit_questions(quantities)]
-    wide = wide_contact_message(contact)
-    if wide and not faults:
-        faults.append("; ".join([f"--{wide}", *cautions]))
+    wide_message = wide_contact_message(contact)  # It begins with the name of an option.
+    if wide_message and not faults:
+        faults.append("; ".join([f"--{wide_message}", *cautions]))
     faults += output_faults(
         "json", arguments.json, {arguments.file: "that of the surface"}, arguments.overwrite
     )
@@ -144,7 +144,7 @@ def numbers_as_json(numbers: Mapping[str, Number]) -> str:
 
 
 def _report(inputs: Inputs, numbers: Mapping[str, Number], arguments: Namespace) -> str:
-    """Return the prediction in words, with the quantities as the user wrote them."""
+    """Return the prediction in words, with quantities as the user or the paper wrote them."""
     # Imported here: it takes as long as a prediction.
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 

@@ -3,7 +3,7 @@
 import math
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -32,10 +32,10 @@ TRANSITION_SHARE = 0.4
 #: Factor from the study's range of adhesion down to the shortest computed range, and up to the
 #: longest: 0.7 to 45 nm around the paper's 5.6 nm. More would put the 12 ranges further apart.
 RANGE_SPAN = 8.0
-#: The smallest ratio of neighbouring ranges, apart from rounding: forces at closer ranges tell
-#: nothing new beside a tolerance of 10 %.
+#: The smallest ratio of neighbouring ranges up to the study's, before rounding: forces at closer
+#: ranges tell nothing new beside a tolerance of 10 %.
 MIN_RANGE_RATIO = 1.1
-#: The shortest cutoff in pixels, like the shortest wavelength that a scan keeps.
+#: The shortest cutoff in pixels.
 MIN_CUTOFF_PIXELS = 4
 #: The size of the scan, and the interaction radius sqrt(D rho), relative to the shortest cutoff of
 #: the long side: in the paper 2500 nm and 1.67 µm, relative to 100 nm.
@@ -49,11 +49,11 @@ MIN_CUTOFF_RATIO = 1.15
 class Effort(NamedTuple):
     """The size of a study, which decides its cost."""
 
-    pixels: int  #: Pixels per row of masters, if scans do not have more.
-    cutoff_count: int  #: Cutoffs on each side.
-    master_count: int  #: Masters on each side.
-    slow_master_count: int  #: Masters on each side if contacts take long.
-    contacts_per_row: int  #: Contacts per row of the array.
+    pixels: int  #: Most pixels per row of masters, unless mirrored scans have more.
+    cutoff_count: int  #: Most cutoffs on each side.
+    master_count: int  #: Masters on each side, for a single scan.
+    slow_master_count: int  #: The same if contacts take long.
+    contacts_per_row: int  #: Most contacts per row of the array.
     range_count: int  #: Ranges of adhesion.
 
 
@@ -72,7 +72,7 @@ MAX_QUICK_SCANS = 3
 
 
 class Choice(NamedTuple):
-    """A chosen value in YAML's form, its key with dots, and a reason or an empty text."""
+    """A key with dots, its chosen value as in YAML, and a reason or an empty text."""
 
     key: str
     value: object
@@ -80,7 +80,7 @@ class Choice(NamedTuple):
 
 
 class Proposal(NamedTuple):
-    """The choices for scans."""
+    """The keys of a study that depend on its scans, and what to tell the user."""
 
     contact_scans: list[UserScan]  #: Scans that make contacts; others only enter the spectrum.
     choices: list[Choice]
@@ -104,18 +104,23 @@ def propose_keys(
     sphere_scans = [scan for scan in contact_scans if scan.scan_file.surface == sphere]
     transitions = _transition_choices(substrates, sphere_scans)
     full = _effort_choices(substrates, permitted, transitions, FULL_EFFORT)
-    full_values = {choice.key: choice.value for choice in full}
+    full_values = values_by_key(full)
     quick = [
         choice._replace(reason="")
         for choice in _effort_choices(substrates, permitted, transitions, QUICK_EFFORT)
         if choice.value != full_values[choice.key]
     ]
-    if gaps := sum(scan.undefined_count > 0 for scan in scans):
-        reason = f"{gaps} of the files have undefined pixels"
+    if incomplete_count := sum(scan.undefined_count > 0 for scan in scans):
+        reason = f"{incomplete_count} of the files have undefined pixels"
         filling = DEFAULT_OPTIONS.undefined_pixels
         full.insert(0, Choice("scan.undefined_pixels", filling, reason))
     cautions = [*scan_cautions(scans, substrates, contact.rho, permitted, search_sizes)]
     return Proposal(contact_scans, full, quick, reasons, cautions)
+
+
+def values_by_key(choices: Sequence[Choice]) -> dict[str, Any]:
+    """Return the values of choices by their keys."""
+    return {choice.key: choice.value for choice in choices}
 
 
 def _refuse_unlike_scans(substrates: Sequence[UserScan]) -> None:
@@ -179,20 +184,20 @@ def _master_choices(
     effort: Effort,
     short_pixels: int,
 ) -> Iterator[Choice]:
-    """Yield the settings of masters and their filters."""
+    """Yield the choices of masters and of their cutoffs."""
     scans_per_row = master_scans_per_row(substrates, contact.window, effort.pixels)
     long_pixels = max(2 * scan.pixels for scan in substrates) * scans_per_row
     size = min(scan.size for scan in substrates)
-    finest = max(2 * scan.size / short_pixels for scan in substrates)
-    coarsest = max(scan.pixel_size for scan in substrates)
+    short_pixel_size = max(2 * scan.size / short_pixels for scan in substrates)
+    long_pixel_size = max(scan.pixel_size for scan in substrates)
     interaction_radius = math.sqrt(2 * contact.radius * contact.rho)
-    shortest = min(size / SIZE_OVER_CUTOFF, interaction_radius / INTERACTION_RADIUS_OVER_CUTOFF)
-    shortest = max(MIN_CUTOFF_PIXELS * coarsest, shortest)
-    short_cutoffs = _spaced_cutoffs(MIN_CUTOFF_PIXELS * finest, size, effort.cutoff_count)
-    long_cutoffs = _spaced_cutoffs(shortest, size * scans_per_row, effort.cutoff_count)
+    min_cutoff = min(size / SIZE_OVER_CUTOFF, interaction_radius / INTERACTION_RADIUS_OVER_CUTOFF)
+    shortest_long_cutoff = max(MIN_CUTOFF_PIXELS * long_pixel_size, min_cutoff)
+    short_cutoffs = _spaced_cutoffs(MIN_CUTOFF_PIXELS * short_pixel_size, size, effort.cutoff_count)
+    long_cutoffs = _spaced_cutoffs(shortest_long_cutoff, size * scans_per_row, effort.cutoff_count)
     short_transition, long_transition = transitions
     tiles_reason = f"mirrored scans per row, {format_length(2 * size * scans_per_row)}"
-    yield Choice("band.short.pixels", short_pixels, f"{format_length(finest)} a pixel")
+    yield Choice("band.short.pixels", short_pixels, f"{format_length(short_pixel_size)} a pixel")
     yield short_transition
     yield Choice("band.short.cutoffs", short_cutoffs, "from four pixels to the size of the scan")
     yield Choice("band.long.pixels", long_pixels, "those of the scans")
@@ -211,7 +216,7 @@ def _spaced_cutoffs(shortest: float, longest: float, max_count: int) -> list[str
 def _transition_choices(
     substrates: Sequence[UserScan], sphere_scans: Sequence[UserScan]
 ) -> tuple[Choice, Choice]:
-    """Return the wavelengths below and above which roughness is artificial."""
+    """Choose the wavelengths below and above which roughness is artificial."""
     short_scans = _decisive_scans(substrates, sphere_scans, "shortest")
     long_scans = _decisive_scans(substrates, sphere_scans, "longest")
     limits = [
@@ -233,7 +238,7 @@ def _transition_choices(
 def _decisive_scans(
     substrates: Sequence[UserScan], sphere_scans: Sequence[UserScan], end: str
 ) -> list[UserScan]:
-    """Return the scans whose body is the rougher one at an end of their band; all if none is."""
+    """Return the scans whose body is the rougher one at this end of their band; all if none is."""
     bodies = [(scan, sphere_scans) for scan in substrates]
     bodies += [(scan, substrates) for scan in sphere_scans]
     rough_scans = [scan for scan, partners in bodies if _is_rougher(scan, partners, end)]
@@ -241,14 +246,14 @@ def _decisive_scans(
 
 
 def _is_rougher(scan: UserScan, partners: Sequence[UserScan], end: str) -> bool:
-    """Return False if all scans of the other body have more power at an end of this scan's band."""
+    """Return False if all scans of the other body have more power at this end of its band."""
     index = nearest_bin(getattr(scan.reliable_band, end))
-    is_lower = [partner.density[index] > scan.density[index] for partner in partners]
-    return not (partners and all(is_lower))
+    are_rougher = [partner.density[index] > scan.density[index] for partner in partners]
+    return not (partners and all(are_rougher))
 
 
 def _adhesion_ranges(rho: float, shortest_range: float, count: int) -> list[str]:
-    """Return ranges of adhesion as quantities, around the range rho (nm) of the masters."""
+    """Return ranges of adhesion as quantities, around the range rho (nm) of the study."""
     accepted = quantity_type("adhesion.range")
     shortest = min(max(shortest_range, rho / RANGE_SPAN, accepted.low), rho)
     longest = min(rho * RANGE_SPAN, accepted.high)

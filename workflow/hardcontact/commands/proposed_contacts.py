@@ -1,4 +1,4 @@
-"""The proposed contacts: the window, range and number that their scans permit."""
+"""The contacts of a proposal: window, range and number; and the pixels of its masters."""
 
 import math
 from collections.abc import Sequence
@@ -19,19 +19,18 @@ from hardcontact.contact.numerical_limits import (
 from hardcontact.own.scan_contact import window_on_scans
 
 #: The longest range of adhesion (nm) that is proposed if none is given, as in the paper's study.
-#: Scans that permit longer ranges only are refused.
+#: Scans that permit only longer ranges are refused before any reason is printed.
 LONGEST_RANGE = 40.0
 #: Width of the long-edge master relative to a scan, as in the paper.
 MASTER_OVER_SCAN = 8
 #: Width of the long-edge master relative to the window.
 MASTER_OVER_WINDOW = 1.6
-#: The finest pixels worth computing, in nm: half the distance of atoms.
+#: The finest pixels worth computing, in nm: half of some 0.3 nm between atoms.
 FINEST_PIXEL_SIZE = 0.15
 #: Numbers of contacts per row of the array. Even ones fall evenly on the quarters of a scan.
 CONTACTS_PER_ROW_CHOICES = (20, 16, 12, 10, 8, 6, 4)
-#: Seconds that the contacts of one filtered surface may take. Chosen: the 150 filtered surfaces of
-#: a scan at full effort then take at most 5 minutes of processor time, unless even the fewest
-#: contacts take longer.
+#: Seconds that the contacts of one filtered surface may take, unless the fewest take longer: 5
+#: minutes of processor time for the 150 filtered surfaces of a single scan at full effort.
 MAX_CONTACT_SECONDS = 2.0
 #: Measured seconds for a contact pixel in one period of the map.
 SECONDS_A_PIXEL = 4e-7
@@ -57,13 +56,13 @@ def choose_contact(
 ) -> PermittedContact:
     """Return a contact with the window and, if none was given, the range that the scans need.
 
-    `scans` includes the scans of the sphere. Masters have at most `max_pixels` per row.
+    `scans` includes the scans of the sphere; `max_pixels` limits the rows of masters.
     """
     window, window_reason = _window_on_scans(scans, contact)
     shortest, reason = _shortest_range(scans, substrates, contact, window, max_pixels)
     range_reason = "as given" if range_given else "the paper's; --range changes it"
     if shortest > contact.rho and not range_given:
-        contact = replace(contact, rho=max(contact.rho, min(shortest, LONGEST_RANGE)))
+        contact = replace(contact, rho=min(shortest, LONGEST_RANGE))
         range_reason = f"the least on these scans, where {reason}"
         # A longer range needs a wider window, which does not raise the shortest range.
         window, window_reason = _window_on_scans(scans, contact)
@@ -112,7 +111,7 @@ def master_scans_per_row(substrates: Sequence[UserScan], window: float, max_pixe
 
 
 def short_edge_pixels(scan: UserScan, contact: Contact, max_pixels: int) -> int:
-    """Return the pixels per row of a scan's short-edge masters: as many as time permits."""
+    """Return the pixels per row of a scan's short-edge masters, twice those of the scan or more."""
     pixels = 2 * scan.pixels
     while (finer_pixels := 2 * pixels) <= max_pixels:
         pixel_size = 2 * scan.size / finer_pixels  # A master is two scans wide.
@@ -127,7 +126,7 @@ def short_edge_pixels(scan: UserScan, contact: Contact, max_pixels: int) -> int:
 
 
 def _contact_seconds(scan: UserScan, contact: Contact, pixel_size: float) -> float:
-    """Estimate the seconds for one contact and its periods on pixels of a width (nm)."""
+    """Estimate the seconds for one contact and the periods in its window; `pixel_size` is in nm."""
     periods = periods_in_window(contact.window, scan.size)
     cell_count = (count_window_pixels(contact.window, pixel_size) / CELL_PIXELS) ** 2
     pixel_count = contact.pixel_count(pixel_size) * periods
@@ -139,20 +138,21 @@ def affordable_contacts(
 ) -> tuple[int, float]:
     """Return the contacts per row that time and memory permit, and their seconds on one surface.
 
-    If not even the fewest contacts fit, these are returned: the study is slow, or refuses them.
+    If even the fewest do not fit, these are returned: the study is slow, or refuses them.
     """
     seconds = 0.0
-    kept_pixels = 0.0
+    contact_pixels = 0.0
     for scan in substrates:
         periods = periods_in_window(contact.window, scan.size)
-        finest = 2 * scan.size / short_pixels
-        for pixel_size, period_count in ((scan.pixel_size, periods), (finest, 1.0)):
+        master_pixel_size = 2 * scan.size / short_pixels
+        # `config.limits` counts the contact pixels of masters in one period.
+        for pixel_size, period_count in ((scan.pixel_size, periods), (master_pixel_size, 1.0)):
             seconds = max(seconds, _contact_seconds(scan, contact, pixel_size))
-            kept_pixels = max(kept_pixels, contact.pixel_count(pixel_size) * period_count)
+            contact_pixels = max(contact_pixels, contact.pixel_count(pixel_size) * period_count)
     for contacts_per_row in CONTACTS_PER_ROW_CHOICES:
         contact_count = contacts_per_row**2
         is_fast = contact_count * seconds <= MAX_CONTACT_SECONDS
-        fits = contact_count * kept_pixels <= MAX_CONTACT_PIXELS
+        fits = contact_count * contact_pixels <= MAX_CONTACT_PIXELS
         if fits and is_fast and contacts_per_row <= max_contacts_per_row:
             break
     return contacts_per_row, contact_count * seconds

@@ -23,7 +23,7 @@ SPHERE = "sphere"
 
 
 def new_arguments(arguments: Sequence[str]) -> Namespace:
-    """Return the parsed command line; --help, --version and a wrong one end the program."""
+    """Return the parsed arguments; --help, --version and wrong arguments end the program."""
     parser = CommandLine("hardcontact", USAGE)
     parser.add_argument("--version", action="version", version=version("hardcontact"))
     parser.add_argument(
@@ -70,7 +70,7 @@ def name_faults(arguments: Namespace) -> Iterator[str]:
     except ValueError:
         yield f"NAME: expected {accepted_names.expects}, no blanks, found {name!r}"
         return
-    if arguments.files:
+    if arguments.files:  # The name is the label of their surface, too.
         yield from label_faults("NAME", name)
     if name.endswith(QUICK_SUFFIX):
         accepted = f"a name without the end {QUICK_SUFFIX}, which marks first answers"
@@ -92,7 +92,7 @@ class ScanFile(NamedTuple):
     label: str  #: Name of the surface in figures.
     path: str  #: Path from the working directory.
     table_path: str  #: Path from the top folder, for the table of surfaces.
-    sphere_radius: float | None = None  #: In nm, of scans of the sphere.
+    sphere_radius: float | None = None  #: In nm, for scans of the sphere alone.
     is_in_folder: bool = False  #: Whether the user named its folder, which may hold other files.
 
 
@@ -142,15 +142,15 @@ def list_scan_files(arguments: Namespace, radius: float) -> tuple[list[ScanFile]
     return scan_files, faults
 
 
-def _files_in(file: str) -> list[str]:
+def _files_in(path: str) -> list[str]:
     """Return the files in a folder, without hidden ones; any other path alone."""
-    if not Path(file).is_dir():
-        return [file]
-    return sorted(str(path) for path in Path(file).glob("[!.]*") if path.is_file())
+    if not Path(path).is_dir():
+        return [path]
+    return sorted(str(file) for file in Path(path).glob("[!.]*") if file.is_file())
 
 
 def surface_id(label: str) -> str:
-    """Return the id of a surface, which begins with a letter and has no blanks, from its label."""
+    """Return the id of a surface, as `SurfaceRow` accepts it, from its label."""
     name = re.sub(r"[^a-z0-9]+", "_", label.lower()).strip("_")
     if name in RESERVED_IDS or not re.match("[a-z]", name):
         name = f"surface_{name}".rstrip("_")

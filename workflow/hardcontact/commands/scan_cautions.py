@@ -1,4 +1,4 @@
-"""Cautions about scans before a study, and refusals of scans that it cannot use."""
+"""Cautions about the scans of a study, and the refusal of too few wavelengths."""
 
 from collections.abc import Iterator, Mapping, Sequence
 
@@ -20,7 +20,7 @@ from hardcontact.scans.heights import split_notes
 from hardcontact.scans.scan_pairs import describe_contradictions, find_contradictions
 from hardcontact.surfaces.spectrum import MIN_BINS, too_few_bins_message
 
-#: Largest share of undefined pixels without a caution, which says how they are filled.
+#: Largest share of undefined pixels without a caution.
 MAX_UNDEFINED_SHARE = 0.05
 
 
@@ -28,10 +28,10 @@ def refuse_unreliable(scans: Sequence[UserScan]) -> None:
     """Refuse surfaces with too few reliable wavelengths, and name the defects of their scans."""
     faults = []
     for surface, surface_scans in scans_by_surface(scans).items():
-        count = int(np.any([scan.reliable_band.bins for scan in surface_scans], axis=0).sum())
-        if count < MIN_BINS:
+        bin_count = int(np.any([scan.reliable_band.bins for scan in surface_scans], axis=0).sum())
+        if bin_count < MIN_BINS:
             bands = "; ".join(f"{scan.name} {scan.reliable_band}" for scan in surface_scans)
-            message = too_few_bins_message("scans", count, bands)
+            message = too_few_bins_message("scans", bin_count, bands)
             faults.append(f"{surface}: {message}; add one of another size")
             faults += [
                 f"{scan.name}: expected a sound scan, found: {defect_sentence(code, numbers)}"
@@ -64,7 +64,7 @@ def scan_cautions(
 
 
 def _reading_cautions(scans: Sequence[UserScan]) -> Iterator[str]:
-    """Yield a sentence on each defect of a scan, then the cautions of its reader."""
+    """Yield sentences on the defects of all scans, then the cautions of their readers."""
     for scan in scans:
         for code, numbers in scan.defects.items():
             yield f"{scan.name}: {defect_sentence(code, numbers)}"
@@ -77,11 +77,11 @@ def _reading_cautions(scans: Sequence[UserScan]) -> Iterator[str]:
 
 def _radius_question(scan: UserScan, stated_radius: float) -> str:
     """Return a question about the radius (nm) of a sphere whose scan stays curved."""
-    # The defect has no sign: a smaller sphere leaves it, or a larger one.
-    remaining = 1 / scan.defects["curvature"]["curvature_radius"]
-    curvatures = (1 / stated_radius + remaining, 1 / stated_radius - remaining)
+    # Its sign is not known: the stated radius may be too large or too small.
+    curvature_left = 1 / scan.defects["curvature"]["curvature_radius"]
+    curvatures = (1 / stated_radius + curvature_left, 1 / stated_radius - curvature_left)
     radii = " or ".join(
-        format_quantity(1 / value, "nm", digits=2) for value in curvatures if value > 0
+        format_quantity(1 / curvature, "nm", digits=2) for curvature in curvatures if curvature > 0
     )
     return (
         f"{scan.name}: --radius {format_length(stated_radius)} contradicts this scan of the "
@@ -113,18 +113,18 @@ def _contact_cautions(
         size = min(scan.size for scan in substrates if scan.scan_file.surface == surface)
         low, high = finite_scan_ratio(size, search_size)
         if high > 1:
+            source = f" on scans of {SMALLEST_SIZE_RATIO:.0%} of this size, the smallest tested"
             is_untested = size < SMALLEST_SIZE_RATIO * search_size
-            where = f" on scans of {SMALLEST_SIZE_RATIO:.0%} of this size, the smallest tested"
             yield (
                 f"{surface}: the sphere finds its highest summits within some "
                 f"{format_length(search_size)}. Scans of {LARGE_SIZE_RATIO:g} times this size are "
                 f"large enough, these are {format_length(size)} wide: forces come out {low:g} to "
-                f"{high:g} times too high{where if is_untested else ''}"
+                f"{high:g} times too high{source if is_untested else ''}"
             )
 
 
 def single_pixel_cautions(area: float, pixel_sizes: Sequence[float]) -> Iterator[str]:
-    """Yield a caution if less than a pixel (width in nm) of some scan carries the preload."""
+    """Yield a caution if an area (nm²) smaller than a pixel of some scan carries the preload."""
     largest_pixel_area = max(pixel_sizes, default=0.0) ** 2
     if area < largest_pixel_area:
         yield (
