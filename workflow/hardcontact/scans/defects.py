@@ -1,4 +1,4 @@
-"""Find defects of a scan that make forces wrong although its file is readable, and state them."""
+"""Find defects of a scan that make forces wrong although its file is readable."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -43,44 +43,46 @@ DEFECTS = {
 #: The numbers of all defects with their units.
 DEFECT_UNITS = {name: unit for units in DEFECTS.values() for name, unit in units.items()}
 
-#: Least distance of a spike from its neighbours, in rms heights: once in 10⁹ Gaussian pixels
-#: of a map, once in 10⁷ of a line scan.
+#: Least height difference of a spike from its neighbours, in rms heights. In white Gaussian noise
+#: one of 2·10⁹ pixels of a map, and one of 4·10⁶ points of a line scan, differs so much.
 MIN_SPIKE_DISTANCE = 6.0
-#: Largest share of equal lines: so few lines change a mean force little.
+#: Largest share of equal lines in a sound scan: so few lines change a mean force little.
 MAX_EQUAL_LINE_SHARE = 0.01
-#: Largest share, and number, of the pixels at the highest or lowest height of an unclipped scan.
+#: A clipped scan has more than this share, and this number, of pixels at an end: the highest or the
+#: lowest height.
 MAX_END_SHARE = 1e-3
 MAX_END_PIXELS = 10
-#: Largest ratio of pixels at the highest or lowest height to those at the next height. Quantised
-#: heights have less than 1, a flat summit has 2.4.
+#: A clipped scan has more than this ratio of pixels at an end to pixels at the next height. The
+#: ratio is below 1 for quantised heights, 2.4 for a flat summit, -r⁴.
 MAX_CLIPPING_RATIO = 3.0
 #: Share of the steepest pixels, which may be sidewalls.
 SIDEWALL_PIXEL_SHARE = 0.05
-#: Least share of sidewalls in the squared slopes. The steepest pixels have 0.2 to 0.45 of them on
-#: rough surfaces, 0.8 to 1 with pillars and steps.
+#: Least share of sidewalls in the sum of squared slopes. The share of the steepest pixels is 0.2 to
+#: 0.45 on rough surfaces, 0.8 to 1 with pillars and steps.
 MIN_SIDEWALL_SLOPE_SHARE = 0.7
-#: Least ratio, for a lay, of the variance of profiles along its wavevector to that across.
+#: A lay has more than this ratio of the variance of profiles along its wavevector to the variance
+#: across, or of squared slopes.
 MIN_LAY_RATIO = 3.0
 #: Least share of a lay in the variance of heights: smaller ones are drift and noise of lines. Of
 #: 5400 self-affine maps without a roll-off (H from 0.5 to 1), two exceed ratio and share.
 MIN_LAY_SHARE = 0.1
-#: Pixels of the shortest wave of profiles: shorter ones are noisy.
+#: Least wavelength in profiles, in pixels: shorter waves are noisy.
 MIN_PIXELS_PER_WAVE = 4
-#: Periods of the longest wave in the size: longer random waves are few.
+#: Least number of periods of a wave in the size: longer random waves are few.
 MIN_WAVES = 4
 #: Least share of noise in the variance of heights: it changes the rms height by one per cent.
 MIN_NOISE_SHARE = 0.02
-#: A curvature is a defect if at most this share of the rms height is left without it.
+#: A curvature is a defect if less than this share of the rms height is left without it.
 MAX_UNCURVED_SHARE = 0.9
-#: Least sum of squares of polynomials of second order relative to third and fourth order. The
-#: largest ratio in 8100 self-affine maps without a roll-off and curvature (H from 0.5 to 1) is 34.
+#: Least sum of squares of polynomials of second order relative to third and fourth order, for a
+#: curvature. The largest ratio in 8100 self-affine maps without one (H from 0.5 to 1) is 34.
 MIN_SECOND_ORDER_RATIO = 50.0
-#: Points per row to which polynomials are fitted.
+#: Least number of points per row to which polynomials are fitted, if a map has so many pixels.
 POLYNOMIAL_POINTS = 32
-#: Smallest correlation of a step from line to line with the next step. It is 0 if heights walk at
-#: random, -0.5 if noise of the instrument offsets each line.
+#: Least correlation of a step from line to line with the next step, if lines have no offsets. It is
+#: 0 if heights walk at random, -0.5 if noise of the instrument offsets each line.
 MIN_STEP_CORRELATION = -0.25
-#: Largest ratio of powers: a pattern without noise would have an infinite ratio.
+#: Largest ratio of powers that is stated: a pattern without noise has an infinite ratio.
 LARGEST_RATIO = 1e6
 
 
@@ -89,8 +91,8 @@ def level_and_list_defects(
 ) -> HeightMap:
     """Return a scan levelled by `remove_form`, with its defects by code.
 
-    Some defects hide others, which are then not stated: equal lines look like a lay, sidewalls
-    hide white noise.
+    Defects that others imitate or hide are not stated: equal lines look like a lay, sidewalls hide
+    white noise. The radius of the sphere is in nm.
     """
     flat = remove_form(scan, sphere_radius, levelling)
     heights = flat.heights
@@ -99,11 +101,12 @@ def level_and_list_defects(
     defects: dict[str, Defect] = {}
     if scan.kind == "map":
         defects["curvature"] = _find_curvature(heights, scan.pixel_size)
-        rows, columns = _find_equal_lines(measured_heights), _find_equal_lines(measured_heights.T)
-        share = float(max(rows.mean(), columns.mean()))
-        if share > MAX_EQUAL_LINE_SHARE:
-            defects["equal_lines"] = {"equal_line_share": share}
-            measured_heights = measured_heights[~rows][:, ~columns]
+        is_equal_row = _find_equal_lines(measured_heights)
+        is_equal_column = _find_equal_lines(measured_heights.T)
+        equal_line_share = float(max(is_equal_row.mean(), is_equal_column.mean()))
+        if equal_line_share > MAX_EQUAL_LINE_SHARE:
+            defects["equal_lines"] = {"equal_line_share": equal_line_share}
+            measured_heights = measured_heights[~is_equal_row][:, ~is_equal_column]
         else:
             heights, defects["streaks"] = _find_and_fill_streaks(heights)
             power = _wave_power(heights)
@@ -113,16 +116,16 @@ def level_and_list_defects(
     defects |= _find_clipping(measured_heights)
     if not any(defects.get(code) for code in ("equal_lines", "spikes")):
         defects["sidewalls"] = _find_sidewalls(heights)
-    hiding_defects = ("spikes", "sidewalls", "offset_lines")
-    # Quantised heights have noise from rounding.
+    noise_hiding_codes = ("spikes", "sidewalls", "offset_lines")
+    # Rounding of quantised heights, most of which equal the next height, is noise, too.
     is_quantised = np.median(np.abs(np.diff(scan.heights, axis=0))) == 0
-    if is_quantised or any(defects.get(code) for code in hiding_defects):
+    if is_quantised or any(defects.get(code) for code in noise_hiding_codes):
         defects["noise"] = {}
     return replace(flat, defects={code: defects[code] for code in DEFECTS if defects.get(code)})
 
 
 def _find_and_fill_streaks(heights: Floats) -> tuple[Floats, Defect]:
-    """Return a map with filled streaks, and its streaks; lines are numbered from 1."""
+    """Return a map with filled streaks, and their numbers; lines count from 1."""
     filled_heights, is_filled = fill_streaks(heights)
     lines = np.flatnonzero(is_filled.any(axis=1)) + 1
     if not lines.size:
@@ -138,7 +141,7 @@ def _find_and_fill_streaks(heights: Floats) -> tuple[Floats, Defect]:
 def _find_spikes(heights: Floats) -> Defect:
     """Return the share of spikes, and the rms height (nm) without them."""
     isolation = _isolation(heights)
-    # Spikes raise the rms height, so estimate them first from the median deviation.
+    # Spikes raise the rms height, so a limit from the median deviation first leaves them out.
     median_deviation = np.median(np.abs(heights - np.median(heights)))
     max_isolation = MIN_SPIKE_DISTANCE * median_deviation / MEDIAN_DEVIATION
     rms_height = float(heights[isolation <= max_isolation].std())
@@ -149,27 +152,27 @@ def _find_spikes(heights: Floats) -> Defect:
 def _isolation(heights: Floats) -> Floats:
     """Return the least difference of each height from its neighbours; in a map the second least."""
     padded = np.pad(heights, 1, constant_values=np.inf)
-    nearest = second_nearest = np.full(heights.shape, np.inf)
+    least = second_least = np.full(heights.shape, np.inf)
     for start in product(range(3), repeat=heights.ndim):
         if set(start) == {1}:  # the pixel itself
             continue
         window = (slice(i, i + count) for i, count in zip(start, heights.shape, strict=True))
-        distance = np.abs(padded[tuple(window)] - heights)
-        second_nearest = np.minimum(second_nearest, np.maximum(nearest, distance))
-        nearest = np.minimum(nearest, distance)
+        difference = np.abs(padded[tuple(window)] - heights)
+        second_least = np.minimum(second_least, np.maximum(least, difference))
+        least = np.minimum(least, difference)
     # One neighbour of a spike in a map may be a spike, too; a particle has more pixels.
-    return second_nearest if heights.ndim == 2 else nearest
+    return second_least if heights.ndim == 2 else least
 
 
 def _find_equal_lines(lines: Floats) -> NDArray[np.bool_]:
-    """Return the mask (y,) of lines of a map that are constant or repeat the previous line."""
+    """Return the mask (n,) of lines (n, points) that are constant or repeat the previous line."""
     is_equal = np.asarray(np.ptp(lines, axis=1) == 0)
     is_equal[1:] |= (lines[1:] == lines[:-1]).all(axis=1)
     return is_equal
 
 
 def _find_clipping(heights: Floats) -> dict[str, Defect]:
-    """Return the shares of pixels at the highest and the lowest value, if they are clipped."""
+    """Return the shares of pixels at the highest and the lowest height, each if it is clipped."""
     _, counts = np.unique(heights, return_counts=True)
     if len(counts) < 2:
         return {}
@@ -183,14 +186,14 @@ def _find_clipping(heights: Floats) -> dict[str, Defect]:
 
 
 def _find_sidewalls(heights: Floats) -> Defect:
-    """Return the share of the squared slopes at the steepest pixels, if these are sidewalls."""
+    """Return the share of the steepest pixels in the squared slopes, if they are sidewalls."""
     if heights.ndim == 2:
-        squares = np.diff(heights, axis=0)[:, 1:] ** 2 + np.diff(heights, axis=1)[1:] ** 2
+        squared_steps = np.diff(heights, axis=0)[:, 1:] ** 2 + np.diff(heights, axis=1)[1:] ** 2
     else:
-        squares = np.diff(heights) ** 2
-    squares = np.sort(squares, axis=None)
-    steepest = squares[-max(1, round(SIDEWALL_PIXEL_SHARE * squares.size)) :]
-    total = squares.sum()
+        squared_steps = np.diff(heights) ** 2
+    squared_steps = np.sort(squared_steps, axis=None)
+    steepest = squared_steps[-max(1, round(SIDEWALL_PIXEL_SHARE * squared_steps.size)) :]
+    total = squared_steps.sum()
     share = float(steepest.sum() / total) if total else 0.0
     return {"sidewall_slope_share": share} if share > MIN_SIDEWALL_SLOPE_SHARE else {}
 
@@ -212,7 +215,7 @@ def _find_curvature(heights: Floats, pixel_size: float) -> Defect:
     amplitudes = polynomials.T @ points.ravel()
     orders = exponents.sum(axis=1)
     squares = [float((amplitudes[orders == order] ** 2).sum()) for order in range(5)]
-    total = float((points**2).sum()) - squares[0] - squares[1]
+    total = float((points**2).sum()) - squares[0] - squares[1]  # without height and tilt
     uncurved_squares = max(total - squares[2], 0.0)
     is_weak = uncurved_squares >= MAX_UNCURVED_SHARE**2 * total
     if is_weak or squares[2] < MIN_SECOND_ORDER_RATIO * (squares[3] + squares[4]):
@@ -237,7 +240,7 @@ def _find_line_patterns(heights: Floats, power: Floats, pixel_size: float) -> di
 
 
 def _find_lay(power: Floats) -> tuple[Defect, float]:
-    """Find a lay, and the ratio of squared slopes along and across the steepest direction."""
+    """Return a lay, and the ratio of squared slopes along the steepest direction to across it."""
     pixels = len(power)
     waves = np.fft.fftfreq(pixels, 1 / pixels)
     wavevector = waves + 1j * waves[:, None]  # x + iy, in waves across the map
@@ -245,23 +248,20 @@ def _find_lay(power: Floats) -> tuple[Defect, float]:
     is_resolved = (MIN_WAVES <= wavenumber) & (wavenumber <= pixels / MIN_PIXELS_PER_WAVE)
     # Opposite wavevectors have the same square.
     squares = power[is_resolved] * (wavevector[is_resolved] / wavenumber[is_resolved]) ** 2
-    direction = np.exp(0.5j * np.angle(squares.sum()))
-    squared_slopes = (power * wavenumber**2)[is_resolved].sum()
-    slope_difference = abs((power * wavevector**2)[is_resolved].sum())
+    lay_direction = np.exp(0.5j * np.angle(squares.sum()))  # of the wavevector
 
-    def profile_variance(axis: complex) -> float:
-        component = np.abs((wavevector * np.conj(axis)).real)
+    def profile_variance(direction: complex) -> float:
+        component = np.abs((wavevector * np.conj(direction)).real)
         is_in_profile = (MIN_WAVES <= component) & (component <= pixels / MIN_PIXELS_PER_WAVE)
         return float(power[is_in_profile].sum())
 
-    variance_along = profile_variance(direction)
-    variance_across = profile_variance(1j * direction)
+    variance_along = profile_variance(lay_direction)
+    variance_across = profile_variance(1j * lay_direction)
     is_lay = variance_along > max(MIN_LAY_RATIO * variance_across, MIN_LAY_SHARE * power.sum())
-    slope_ratio = _limited_ratio(
-        squared_slopes + slope_difference, squared_slopes - slope_difference
-    )
     lay = {"lay_ratio": _limited_ratio(variance_along, variance_across)} if is_lay else {}
-    return lay, slope_ratio
+    squared_slopes = (power * wavenumber**2)[is_resolved].sum()
+    difference = abs((power * wavevector**2)[is_resolved].sum())  # along minus across
+    return lay, _limited_ratio(squared_slopes + difference, squared_slopes - difference)
 
 
 def _limited_ratio(larger: float, smaller: float) -> float:
@@ -273,9 +273,9 @@ def _find_line_offsets(heights: Floats) -> Defect:
     """Return the rms offset (nm) of lines that are offset at random."""
     steps = np.diff(heights, axis=0)
     line_steps = steps.mean(axis=1)
-    is_most = line_steps.var() > steps.var() / 2
+    is_large = line_steps.var() > steps.var() / 2
     is_random = _correlation_of_steps(line_steps) < MIN_STEP_CORRELATION
-    return {"line_offset": float(line_steps.std() / np.sqrt(2))} if is_most and is_random else {}
+    return {"line_offset": float(line_steps.std() / np.sqrt(2))} if is_large and is_random else {}
 
 
 def _correlation_of_steps(steps: Floats) -> float:
@@ -284,7 +284,7 @@ def _correlation_of_steps(steps: Floats) -> float:
 
 
 def _find_directional_slopes(heights: Floats, pixel_size: float) -> Defect:
-    """Find the rms slopes along x and y, unless noise of lines makes the steeper one."""
+    """Return the rms slopes along x and y; none if noise of lines makes the larger one."""
     steps = [np.diff(lines, axis=0) for lines in (heights.T, heights)]
     slopes = [float(axis_steps.std()) / pixel_size for axis_steps in steps]
     is_noise = _correlation_of_steps(steps[int(np.argmax(slopes))]) < MIN_STEP_CORRELATION
@@ -292,37 +292,36 @@ def _find_directional_slopes(heights: Floats, pixel_size: float) -> Defect:
 
 
 def _find_noise(variance: float, power: Floats) -> Defect:
-    """Find white noise, with which a spectrum is flat at short waves and steeper at longer ones."""
+    """Find white noise: it makes the spectrum flat at short waves, but not at longer ones."""
     pixels = len(power)
     waves = np.fft.fftfreq(pixels, 1 / pixels)
-    half_octave_of_wave = np.round(
-        2 * np.log2(pixels / np.maximum(np.hypot(waves, waves[:, None]), 1))
-    )
-    # Wavelengths of 2^(3/2) pixels and more, in half octaves.
+    wavenumber = np.hypot(waves, waves[:, None])  # in waves across the map
+    half_octave_of_wave = np.round(2 * np.log2(pixels / np.maximum(wavenumber, 1)))
+    # The half octaves are centred on 2^(3/2) pixels and longer wavelengths.
     resolved_half_octaves = np.arange(3, 2 * np.log2(pixels / MIN_WAVES))
     if len(resolved_half_octaves) < 2:
         return {}
     half_octave_masks = [half_octave_of_wave == index for index in resolved_half_octaves]
-    density = [power[mask].mean() for mask in half_octave_masks]
+    mean_powers = [power[mask].mean() for mask in half_octave_masks]
     counts = [np.count_nonzero(mask) for mask in half_octave_masks]
-    slopes = -2 * np.diff(np.log2(np.maximum(density, np.finfo(float).tiny)))
-    # The window makes one independent wave of four, and opposite wavevectors have the same power.
+    slopes = -2 * np.diff(np.log2(np.maximum(mean_powers, np.finfo(float).tiny)))
+    # Under the window one wave of four is independent, and opposite wavevectors have equal power.
     relative_errors = np.sqrt(8 / np.array(counts))
     errors = 2 / np.log(2) * np.hypot(relative_errors[1:], relative_errors[:-1])
     margins = MIN_STANDARD_ERRORS * errors
     is_noisy = slopes[0] - margins[0] > FLATTEST_SLOPE > (slopes + margins).min()
     # The mean square of the window is 3/8 along each axis.
-    noise = density[0] / (3 / 8 * pixels) ** 2
-    if not is_noisy or noise < MIN_NOISE_SHARE * variance:
+    noise_variance = mean_powers[0] / (3 / 8 * pixels) ** 2
+    if not is_noisy or noise_variance < MIN_NOISE_SHARE * variance:
         return {}
     return {
-        "noise_height": float(np.sqrt(noise)),
-        "rms_height_without_noise": float(np.sqrt(max(variance - noise, 0))),
+        "noise_height": float(np.sqrt(noise_variance)),
+        "rms_height_without_noise": float(np.sqrt(max(variance - noise_variance, 0))),
     }
 
 
 def defect_sentence(code: str, numbers: Mapping[str, float]) -> str:
-    """Return the sentence on a defect, without a full stop."""
+    """Return the sentence on a defect, without its subject, the scan, and without a full stop."""
     words = {name: _format_defect_number(name, number) for name, number in numbers.items()}
     words["sidewall_pixels"] = format_share(SIDEWALL_PIXEL_SHARE)
     return DEFECT_SENTENCES[code].format(**words, streak=MIN_STREAK_STEPS, spike=MIN_SPIKE_DISTANCE)
