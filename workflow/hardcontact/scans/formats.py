@@ -27,7 +27,7 @@ from hardcontact.scans.plain_text import POINT_COLUMNS
 
 #: Stands for a unit or a size that the user does not give.
 NOT_GIVEN = "none"
-#: Metadata that a container may state, by their names as arguments of a reader.
+#: Keys of metadata in a container, by the argument of a reader that takes their value.
 KEY_BY_ARGUMENT = {"physical_sizes": "size", "unit": "unit", "height_scale_factor": "height_scale"}
 #: Line scans with a finer spacing than this, in the unit of the text, are read with zero tolerance:
 #: the reader's tolerance, 1e-6 of the unit, would be over 1 % of the spacing.
@@ -41,7 +41,7 @@ TIP_RADIUS_IN_WORDS = re.compile(
 def read_fields(
     content: bytes, dataset: str, undefined_pixels: str, unit: str, map_size: float | str, mask: str
 ) -> dict[str, Any]:
-    """Return fields of a `HeightMap`; the arguments are those of `api.read_scan`."""
+    """Return the fields of a `HeightMap` but its path; the arguments are as in `api.read_scan`."""
     reader, container_metadata, notes = open_scan(content, dataset)
     unit = unit.replace("angstrom", "Å")
     channel, channel_notes = _find_height_channel(
@@ -65,7 +65,7 @@ def read_fields(
         find_fields = map_fields if is_map else line_scan_fields
         fields = find_fields(topography, unit_in_nm(topography.unit), undefined_pixels)
     except RefusedFile as error:
-        # Only if the unit came from the user.
+        # A unit that the user gave may suit only positions or only heights.
         remedy = "; --unit mm,nm (scan.unit: mm,nm) gives positions and heights a unit each"
         raise RefusedFile(f"{error}{remedy if unit == topography.unit else ''}") from None
     if not container_metadata:
@@ -106,7 +106,7 @@ def _aspect_cautions(topography: Any) -> list[str]:
 
 
 def _keep_marked_pixels(topography: Any) -> tuple[Any, list[str]]:
-    """Return a map with the heights under its mask, and a caution on them."""
+    """Return a map with any heights under its mask, and a caution on them."""
     unscaled_heights = topography.parent_topography.heights()
     is_marked = np.ma.getmaskarray(unscaled_heights)
     heights = np.ma.getdata(unscaled_heights) * topography.height_scale_factor
@@ -122,7 +122,7 @@ def _keep_marked_pixels(topography: Any) -> tuple[Any, list[str]]:
 
 
 def _user_metadata(channel: Any, unit: str, map_size: float | str) -> dict[str, Any]:
-    """Return the user's metadata for a file that lacks them, in the form of a container."""
+    """Return the user's metadata for a file that lacks them, by the keys of a container."""
     metadata: dict[str, Any] = {}
     lateral, _, vertical = unit.partition(",")
     if channel.unit is None and unit != NOT_GIVEN:
@@ -151,7 +151,7 @@ def _notes_on_unused_options(channel: Any, unit: str, map_size: float | str) -> 
 
 
 def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[str]]:
-    """Return the topography of a channel, and in words the metadata that completed its file."""
+    """Return the topography of a channel, and the metadata that its file lacked, in words."""
     _refuse_point_columns(channel)
     refuse_point_counts(channel.nb_grid_pts)
     has_positions = channel.dim == 1 and channel.is_uniform is False
@@ -172,9 +172,8 @@ def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[
     arguments = _accepted_arguments(channel, metadata | {"size": size})
     topography = channel.topography(**arguments)
     is_text_line = isinstance(channel.reader, XYZReader) and topography.dim == 1
-    if is_text_line and (
-        abs(topography.physical_sizes[0]) <= MAX_TOLERATED_SPACING * topography.nb_grid_pts[0]
-    ):
+    max_length = MAX_TOLERATED_SPACING * topography.nb_grid_pts[0]
+    if is_text_line and abs(topography.physical_sizes[0]) <= max_length:
         topography = channel.reader._read(tol=0, **arguments)
     if size is not None:
         metadata = metadata | {"size": " x ".join(f"{length:.6g}" for length in size)}
@@ -205,16 +204,16 @@ def _accepted_arguments(channel: Any, metadata: dict[str, Any]) -> dict[str, Any
     return arguments
 
 
-def _find_height_channel(reader: Any, container_index: Any, name: str) -> tuple[Any, list[str]]:
+def _find_height_channel(reader: Any, data_source: Any, name: str) -> tuple[Any, list[str]]:
     """Return the channel of heights that user, container or reader choose, and notes."""
     channels = reader.channels
-    if container_index is not None and container_index not in range(len(channels)):
+    if data_source is not None and data_source not in range(len(channels)):
         raise RefusedFile(
             f"expected a data_source from 0 to {len(channels) - 1} in the container, "
-            f"found {container_index}"
+            f"found {data_source}"
         )
-    preferred = reader.default_channel if container_index is None else channels[container_index]
-    # The reader takes phases and voltages of Nanoscope files for heights; they have two units.
+    preferred = reader.default_channel if data_source is None else channels[data_source]
+    # The reader takes phases and voltages of Nanoscope files for heights; their unit is a tuple.
     height_channels = [
         channel
         for channel in channels
@@ -229,7 +228,7 @@ def _find_height_channel(reader: Any, container_index: Any, name: str) -> tuple[
         note = f"channel {height_channels[0].name} read: {preferred.name} holds no heights"
         return height_channels[0], [note]
     other_names = [channel.name for channel in height_channels if channel.name != preferred.name]
-    is_chosen = container_index is not None or not other_names
+    is_chosen = data_source is not None or not other_names
     return preferred, [] if is_chosen else [f"other channels of heights: {', '.join(other_names)}"]
 
 
@@ -259,7 +258,7 @@ def _unit_in_words(channel: Any) -> str:
 def find_tip_radius(
     file_metadata: dict[str, Any], container_metadata: dict[str, Any]
 ) -> tuple[float | None, list[str]]:
-    """Return the radius of the tip (nm), and a note on its source; None if it is not stated."""
+    """Return the radius of the tip (nm) and a note on its source, or None without a note."""
     for source, metadata in (("file", file_metadata), ("container", container_metadata)):
         radius = _radius_in_numbers(metadata)
         if radius is not None:
@@ -273,7 +272,7 @@ def find_tip_radius(
 
 
 def _radius_in_numbers(metadata: dict[str, Any]) -> float | None:
-    """Return the radius (nm) of the instrument's tip in metadata, None if it is not plausible."""
+    """Return the radius (nm) of the tip in metadata; None if it is missing or not plausible."""
     try:
         tip_radius = metadata["instrument"]["parameters"]["tip_radius"]
         radius = float(tip_radius["value"]) * unit_in_nm(tip_radius["unit"])

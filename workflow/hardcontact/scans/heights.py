@@ -12,24 +12,25 @@ import scipy
 from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length, format_share
 
-#: Pixels per row of a map: substitutes have no fewer, and masters at least twice as many.
+#: Least and largest number of pixels per row of a map, as the key `substitutes.pixels` allows.
 PIXEL_BOUNDS = (16, 8192)
-#: Points of a line scan, as read and as resampled.
+#: Least and largest number of points of a line scan, as read and as resampled.
 POINT_BOUNDS = (16, 2**20)
-#: Pixels and heights of a scan in nm, 1 pm to 1 cm: the range of all microscopes. A damaged header
-#: may state any number.
+#: Widths of pixels and differences of height in nm, 1 pm to 1 cm: the range of all microscopes. A
+#: damaged header may state any number.
 LENGTH_BOUNDS = (1e-3, 1e7)
 #: Largest relative difference between the widths of a square pixel: files round them.
 MAX_ASPECT_DEVIATION = 1e-3
 #: Share of undefined pixels beyond which a scan is more filled than measured.
 MAX_UNDEFINED_SHARE = 0.5
-#: Least length of a strip in widths: at most half of it is read.
+#: Least ratio of length to width of a strip, of which at most half is read.
 MIN_STRIP_LENGTH = 2
-#: The largest mean slope: no tip follows 84 degrees, but heights from a wrong place are steeper.
+#: Largest mean slope along an axis: no tip follows 84 degrees, but bytes that are no heights are
+#: steeper.
 MAX_MEAN_SLOPE = 10
 #: Prefix of a note that is a caution.
 TAKE_CARE = "take care: "
-#: How far points of a line scan may lie from uniform spacing, in spacings: files round positions.
+#: How far points may lie from uniform spacing, in spacings: files round positions.
 POSITION_ROUNDING = 0.05
 
 
@@ -69,7 +70,7 @@ def unit_in_nm(unit: str) -> float:
 def _scan_fields(
     heights: Floats, pixel_size: float, notes: list[str], undefined_count: int
 ) -> dict[str, Any]:
-    """Return the fields of a `HeightMap`; refuse impossible values."""
+    """Return the arguments as fields of a `HeightMap`, lengths in nm; refuse impossible lengths."""
     minimum, maximum = LENGTH_BOUNDS
     # An offset larger than any relief is the position of a stage. Beyond minimum / eps, heights
     # have lost their digits.
@@ -100,23 +101,23 @@ def _scan_fields(
 
 
 def map_fields(topography: Any, factor: float, undefined_pixels: str) -> dict[str, Any]:
-    """Return the fields of a scan from the largest square of a map, whose unit is `factor` nm."""
+    """Return the fields of a scan from a square of a map, whose unit is `factor` nm."""
     from SurfaceTopography import Topography
 
     sizes = np.asarray(topography.physical_sizes, float) * factor
-    heights, pixel_size, notes = _square_pixels(
+    heights, pixel_size, notes = _resample_to_square_pixels(
         _mask_undefined(topography.heights()), sizes / topography.nb_grid_pts
     )
     columns, rows = heights.shape
-    heights = _largest_square(heights)
+    heights = _crop_to_square(heights)
     refuse_point_counts(heights.shape)
-    width = len(heights)
-    if (width, width) != (columns, rows):
+    pixels = len(heights)
+    if (pixels, pixels) != (columns, rows):
         caution = ""
-        if max(rows, columns) >= MIN_STRIP_LENGTH * width:
-            share = format_share(width / max(rows, columns))
+        if max(rows, columns) >= MIN_STRIP_LENGTH * pixels:
+            share = format_share(pixels / max(rows, columns))
             caution = f"{TAKE_CARE}only {share} of this strip is used: "
-        notes.append(f"{caution}cropped from {columns} x {rows} to {width} x {width} pixels")
+        notes.append(f"{caution}cropped from {columns} x {rows} to {pixels} x {pixels} pixels")
     undefined_count, undefined_notes = _count_undefined(heights, undefined_pixels)
     filled_heights = heights.data
     if undefined_count:
@@ -126,43 +127,43 @@ def map_fields(topography: Any, factor: float, undefined_pixels: str) -> dict[st
     return _scan_fields(filled_heights.T * factor, pixel_size, notes, undefined_count)
 
 
-def _largest_square(heights: np.ma.MaskedArray) -> np.ma.MaskedArray:
-    """Return the central square of a map, or the largest one within a round or rotated scan."""
-    width = min(heights.shape)
-    first_column, first_row = ((count - width) // 2 for count in heights.shape)
-    central = heights[first_column : first_column + width, first_row : first_row + width]
+def _crop_to_square(heights: np.ma.MaskedArray) -> np.ma.MaskedArray:
+    """Return the central square of a map, or a large one inside a round or rotated scan."""
+    pixels = min(heights.shape)
+    first_column, first_row = ((count - pixels) // 2 for count in heights.shape)
+    central = heights[first_column : first_column + pixels, first_row : first_row + pixels]
     # The corners of a round or rotated scan are undefined. Filled, they would be too smooth.
     regions, _ = scipy.ndimage.label(heights.mask)
     corners = regions[[0, 0, -1, -1], [0, -1, 0, -1]]
     if not corners.all() or central.mask.mean() > MAX_UNDEFINED_SHARE:
         return central
     is_in_aperture = np.pad(~np.isin(regions, corners), 1)
-    reach = scipy.ndimage.distance_transform_cdt(is_in_aperture, "chessboard")[1:-1, 1:-1]
-    centre = np.unravel_index(reach.argmax(), reach.shape)
-    half_width = int(reach.max()) - 1
-    column, row = (slice(int(i) - half_width, int(i) + half_width + 1) for i in centre)
-    return heights[column, row]
+    distance = scipy.ndimage.distance_transform_cdt(is_in_aperture, "chessboard")[1:-1, 1:-1]
+    centre = np.unravel_index(distance.argmax(), distance.shape)
+    reach = int(distance.max()) - 1
+    columns, rows = (slice(int(index) - reach, int(index) + reach + 1) for index in centre)
+    return heights[columns, rows]
 
 
-def _square_pixels(
+def _resample_to_square_pixels(
     heights: np.ma.MaskedArray, widths: Floats
 ) -> tuple[np.ma.MaskedArray, float, list[str]]:
-    """Return heights (x, y) resampled to square pixels, the width of a pixel (nm), and notes."""
+    """Return heights (x, y) on square pixels, the pixel size, and notes; widths (x, y) in nm."""
     # Squares of the smaller width would lack short waves along one axis.
-    wider = float(widths.max())
-    if not 0 < widths.min() <= wider < np.inf:
+    widest = float(widths.max())
+    if not 0 < widths.min() <= widest < np.inf:
         raise RefusedFile(f"expected pixels of positive widths, found widths of {widths} nm")
-    if wider <= (1 + MAX_ASPECT_DEVIATION) * widths.min():
+    if widest <= (1 + MAX_ASPECT_DEVIATION) * widths.min():
         return heights, float(widths.mean()), []
-    values = heights.filled(np.nan)
+    resampled = heights.filled(np.nan)
     for axis, width in enumerate(widths):
-        positions = np.arange(values.shape[axis]) * width
+        positions = np.arange(resampled.shape[axis]) * width
         # Rounding must not lose the last pixel.
-        grid = np.arange(int(values.shape[axis] * width / wider * (1 + 1e-9))) * wider
-        lines = [np.interp(grid, positions, line) for line in np.moveaxis(values, axis, -1)]
-        values = np.moveaxis(np.array(lines), -1, axis)
-    refuse_point_counts(values.shape)
-    notes = [f"resampled from pixels of {widths[0]:.4g} nm x {widths[1]:.4g} nm to {wider:.4g} nm"]
+        grid = np.arange(int(resampled.shape[axis] * width / widest * (1 + 1e-9))) * widest
+        lines = [np.interp(grid, positions, line) for line in np.moveaxis(resampled, axis, -1)]
+        resampled = np.moveaxis(np.array(lines), -1, axis)
+    refuse_point_counts(resampled.shape)
+    notes = [f"resampled from pixels of {widths[0]:.4g} nm x {widths[1]:.4g} nm to {widest:.4g} nm"]
     size_x, size_y = widths * heights.shape
     if abs(size_x / size_y - 1) <= MAX_ASPECT_DEVIATION:
         # Files of Bruker state the size of the full scan, also of one with fewer lines.
@@ -171,19 +172,19 @@ def _square_pixels(
             f"{TAKE_CARE}the file states {format_length(size_x)} x {format_length(size_y)} for "
             f"{heights.shape[0]} x {heights.shape[1]} pixels, and is read so; if its pixels are "
             f"square, {square} were scanned, and heights are stretched "
-            f"{wider / widths.min():.3g} times along {'xy'[widths.argmax()]}"
+            f"{widest / widths.min():.3g} times along {'xy'[widths.argmax()]}"
         )
-    return _mask_undefined(values), wider, notes
+    return _mask_undefined(resampled), widest, notes
 
 
 def _mask_undefined(heights: Floats) -> np.ma.MaskedArray:
-    """Return heights whose undefined pixels are masked, however the reader marked them."""
-    values = np.asarray(np.ma.getdata(heights), dtype=float)
-    return np.ma.masked_array(values, np.ma.getmaskarray(heights) | ~np.isfinite(values))
+    """Return heights whose undefined pixels are masked, also those that readers give as NaN."""
+    unmasked = np.asarray(np.ma.getdata(heights), dtype=float)
+    return np.ma.masked_array(unmasked, np.ma.getmaskarray(heights) | ~np.isfinite(unmasked))
 
 
 def _count_undefined(heights: np.ma.MaskedArray, undefined_pixels: str) -> tuple[int, list[str]]:
-    """Return the number of undefined pixels and notes; refuse too many, or any by option."""
+    """Return the number of undefined pixels and notes; refuse too many, or any on "refuse"."""
     count = int(heights.mask.sum())
     if count > MAX_UNDEFINED_SHARE * heights.size:
         raise RefusedFile(
@@ -199,7 +200,7 @@ def _count_undefined(heights: np.ma.MaskedArray, undefined_pixels: str) -> tuple
 
 
 def line_scan_fields(line_scan: Any, factor: float, undefined_pixels: str) -> dict[str, Any]:
-    """Return the fields of an evenly spaced scan from a line scan, whose unit is `factor` nm."""
+    """Return the fields of a scan from a line scan, whose unit is `factor` nm."""
     heights = _mask_undefined(line_scan.heights())
     positions = np.asarray(line_scan.positions(), float) * factor
     if positions[-1] < positions[0]:

@@ -30,11 +30,11 @@ IMPORTED_LATE = (
 )  # fmt: skip
 for module in IMPORTED_LATE:
     import_module(module)
-#: The lists of scans in containers, new and old, in the order in which they are looked for.
+#: Files that list the scans of a container, new and old: the first that it has is read.
 INDEX_FILES = ("index.json", "meta.yml")
 #: Largest number of scans in a container: to read so many takes a minute.
 MAX_SCANS = 1000
-#: Keys of the data file of a scan: the measured file, or else the processed one.
+#: Keys of the data file of a scan in a container: the measured file, or else the processed one.
 DATA_FILE_KEYS = ("original", "squeezed-netcdf")
 #: Metadata of the measured file alone: the processed file has one channel, already scaled.
 ORIGINAL_ONLY_KEYS = ("data_source", "height_scale")
@@ -42,7 +42,7 @@ ORIGINAL_ONLY_KEYS = ("data_source", "height_scale")
 READER_MESSAGE = re.compile(r"tried (\w+): \n (.*?)\n\n(?=tried |\Z)", re.S)
 #: The unit of values that a header of a text states.
 VALUE_UNIT = re.compile(r"(?:value units|z-unit|unit data)\s*[:=]\s*(\S+)", re.I)
-#: What to do with a file whose heights no reader takes.
+#: The remedy for a file whose heights no reader takes.
 SAVE_AS_TEXT = "save the heights as netCDF or as a text of numbers, for example with Gwyddion"
 PICTURE = f"a picture, whose grey values are not heights: {SAVE_AS_TEXT}"
 #: First bytes of files without heights on a grid, by words for their type and the remedy. No reader
@@ -103,8 +103,8 @@ def _container_entries(content: bytes) -> list[dict[str, Any]] | None:
             return None
         text = archive.read(name)
     try:
-        contents = json.loads(text) if name.endswith(".json") else yaml.load(text, yaml.CFullLoader)
-        surfaces = contents["surfaces"]
+        index = json.loads(text) if name.endswith(".json") else yaml.load(text, yaml.CFullLoader)
+        surfaces = index["surfaces"]
         entries = [
             _container_entry(scan) for surface in surfaces for scan in surface["topographies"]
         ]
@@ -122,17 +122,17 @@ def _container_entries(content: bytes) -> list[dict[str, Any]] | None:
 
 def _container_entry(scan: dict[str, Any]) -> dict[str, Any]:
     """Return the metadata of a scan in a container, with its data file and a name."""
-    key = next(key for key in DATA_FILE_KEYS if scan["datafile"].get(key))
-    file = scan["datafile"][key]
+    file_key = next(key for key in DATA_FILE_KEYS if scan["datafile"].get(key))
+    file = scan["datafile"][file_key]
     if not isinstance(file, str):
         raise TypeError("the name of a data file is no text")
-    ignored = () if key == "original" else ORIGINAL_ONLY_KEYS
-    kept_metadata = {key: value for key, value in scan.items() if key not in ignored}
+    ignored_keys = () if file_key == "original" else ORIGINAL_ONLY_KEYS
+    kept_metadata = {key: value for key, value in scan.items() if key not in ignored_keys}
     return kept_metadata | {"name": scan.get("name") or file, "file": file}
 
 
 def _find_entry(entries: list[dict[str, Any]], dataset: str) -> dict[str, Any]:
-    """Return the metadata of the only scan with this name or data file."""
+    """Return the metadata of the only scan with this name or data file, or refuse the name."""
     matching = [entry for entry in entries if dataset in (entry["file"], entry["name"])]
     if len(matching) != 1:
         scans = ", ".join(f"{entry['name']} ({entry['file']})" for entry in entries)
@@ -171,13 +171,13 @@ def _open_reader(content: bytes) -> Any:
 
 def _file_type_in_words(content: bytes, types: Mapping[str, tuple[bytes, ...]]) -> str:
     """Return the words for the type whose first bytes the content has; an empty text for none."""
-    return next((words for words, begin in types.items() if content.startswith(begin)), "")
+    return next((words for words, starts in types.items() if content.startswith(starts)), "")
 
 
 def _describe_unread(content: bytes, reader_messages: str) -> str:
     """Describe a file that no reader takes, with the reasons of the readers of its type."""
-    is_zip = zipfile.is_zipfile(io.BytesIO(content))
-    file_type, reader_names = (_zip_and_readers if is_zip else _text_and_readers)(content)
+    describe = _describe_zip if zipfile.is_zipfile(io.BytesIO(content)) else _describe_text
+    file_type, reader_names = describe(content)
     if not file_type:
         file_type = _file_type_in_words(content, TYPES_OFTEN_REFUSED)
         matches = {reader.__name__: reader.can_read(content[:512]) for reader in readers}
@@ -192,8 +192,8 @@ def _describe_unread(content: bytes, reader_messages: str) -> str:
     return f"{'; '.join(reader_reasons) or 'one that none of its readers takes'}; {SAVE_AS_TEXT}"
 
 
-def _zip_and_readers(content: bytes) -> tuple[str, list[str]]:
-    """Return the type of a zip file with the remedy, "" if unknown, and the name of its reader."""
+def _describe_zip(content: bytes) -> tuple[str, list[str]]:
+    """Return the type of a zip file with the remedy, "" if unknown, and names of its readers."""
     members = zipfile.ZipFile(io.BytesIO(content)).namelist()
     if "[Content_Types].xml" in members:
         return f"a document of an office program: {SAVE_AS_TEXT}", []
@@ -202,8 +202,8 @@ def _zip_and_readers(content: bytes) -> tuple[str, list[str]]:
     return "", []
 
 
-def _text_and_readers(content: bytes) -> tuple[str, list[str]]:
-    """Return the fault of a text of numbers, "" for other content, and the name of its reader."""
+def _describe_text(content: bytes) -> tuple[str, list[str]]:
+    """Return the fault of a text of numbers, "" for other content, and names of its readers."""
     lines = content[: 2**16].decode("utf-8", "replace").splitlines()
     if sum(NUMBERS.fullmatch(line) is not None for line in lines) <= len(lines) / 2:
         return "", []

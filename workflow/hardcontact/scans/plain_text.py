@@ -19,16 +19,17 @@ from hardcontact.scans.heights import MAX_UNDEFINED_SHARE, PIXEL_BOUNDS, POSITIO
 BINARY = re.compile(rb"[\0-\x08\x0e-\x1f]")
 #: A line or a cell of numbers and marks of undefined pixels.
 NUMBERS = re.compile(r"(?=.*(?:\d|nan|bad))(?:[-+.,;\s\d]|e(?=[-+\d])|nan|inf|bad)+", re.I)
-#: Commas are decimal if they stand between digits, and other signs between numbers.
+#: A comma that may be decimal, a comma that separates numbers, and other signs between numbers.
 DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")
 OTHER_COMMA = re.compile(r"(?<!\d),|,(?!\d)|,\d+,")
 BETWEEN_CELLS = re.compile(r"\d[ \t;]+[-+\d]")
+#: A number or a word of a row.
 CELL = re.compile(r"[^\s,;]+")
 #: Columns of points x, y, height in a text: a matrix has more.
 POINT_COLUMNS = 3
 #: Beginnings of texts whose readers know their own separators.
 OWN_SEPARATORS = ("X;Y;valid", "Scan Parameters")
-#: Bins of positions along an axis.
+#: Bins of positions along an axis: eight for each line of the largest map.
 POSITION_BINS = 2**16
 #: Zeros pad the histogram of positions to this multiple of its length before its Fourier transform.
 #: Peaks are then known to a sixteenth of a line.
@@ -47,13 +48,13 @@ def readable_text(content: bytes) -> tuple[bytes, list[str]]:
     first_row = next((index for index, line in enumerate(lines) if NUMBERS.fullmatch(line)), None)
     if first_row is None:
         return content, []
-    width = len(CELL.findall(lines[first_row]))
-    lines[first_row:] = [_mark_undefined(line, width) for line in lines[first_row:]]
+    column_count = len(CELL.findall(lines[first_row]))
+    lines[first_row:] = [_mark_undefined(line, column_count) for line in lines[first_row:]]
     row_indices = [index for index, line in enumerate(lines) if NUMBERS.fullmatch(line)]
     notes = []
     numbers = "\n".join(lines[index] for index in row_indices)
-    has_commas_alone = "," in numbers and "." not in numbers and not OTHER_COMMA.search(numbers)
-    if has_commas_alone and BETWEEN_CELLS.search(numbers):
+    commas_look_decimal = "," in numbers and "." not in numbers and not OTHER_COMMA.search(numbers)
+    if commas_look_decimal and BETWEEN_CELLS.search(numbers):
         lines = [DECIMAL_COMMA.sub(".", line) for line in lines]
         notes.append("decimal commas read")
     if not text.startswith(OWN_SEPARATORS):
@@ -80,18 +81,19 @@ def _decode_text(content: bytes) -> str | None:
         return None if is_utf16 else content.decode("latin-1")
 
 
-def _mark_undefined(line: str, width: int) -> str:
+def _mark_undefined(line: str, column_count: int) -> str:
     """Return a row of a matrix with nan for words, such as ***; other lines are unchanged."""
     cells = CELL.findall(line)
-    if NUMBERS.fullmatch(line) or not POINT_COLUMNS < len(cells) <= width:
+    if NUMBERS.fullmatch(line) or not POINT_COLUMNS < len(cells) <= column_count:
         return line
-    if 2 * sum(NUMBERS.fullmatch(cell) is not None for cell in cells) < width:
+    # At least half of a row are numbers.
+    if 2 * sum(NUMBERS.fullmatch(cell) is not None for cell in cells) < column_count:
         return line
     return CELL.sub(lambda cell: cell[0] if NUMBERS.fullmatch(cell[0]) else "nan", line)
 
 
 def _separate_with_blanks(rows: list[str]) -> list[str]:
-    """Return rows with blanks in place of semicolons or commas; empty cells are undefined."""
+    """Return rows with blanks in place of semicolons or commas, and nan in empty cells."""
     separator = next((sign for sign in ";," if any(sign in row for row in rows)), None)
     if separator is None:
         return rows
@@ -115,7 +117,8 @@ def _parse_points(rows: list[str]) -> Floats | None:
 def _grid_points(points: Floats) -> tuple[list[str], list[str]]:
     """Return texts "x y height" of all points of a grid, with nan for missing points, and notes.
 
-    Return no texts if points (n, 3) need none, fill less than half of a grid, or share a pixel.
+    Return no texts if points (n, 3) are a complete grid, fill less than half of one, or share a
+    pixel.
     """
     axes = [_grid_axis(positions) for positions in points[:, :2].T]
     if not all(len(axis) for axis in axes):
@@ -132,13 +135,13 @@ def _grid_points(points: Floats) -> tuple[list[str], list[str]]:
         return [], []
     offsets = positions_in_steps - indices
     distance = float(np.abs(offsets).max())
-    is_beside = distance > POSITION_ROUNDING
-    if len(pixel_indices) == size and not is_beside:
+    is_off_grid = distance > POSITION_ROUNDING
+    if len(pixel_indices) == size and not is_off_grid:
         return [], []
     heights = np.full(size, np.nan)
     heights[pixel_indices] = points[:, 2]
     notes = []
-    if is_beside:
+    if is_off_grid:
         heights = _heights_on_grid(heights.reshape(shape), indices, offsets).ravel()
         notes = [f"points up to {distance:.2g} spacings beside a grid interpolated on it"]
     positions = product(*(axis.tolist() for axis in axes))
@@ -147,23 +150,26 @@ def _grid_points(points: Floats) -> tuple[list[str], list[str]]:
 
 
 def _heights_on_grid(heights: Floats, indices: NDArray[np.intp], offsets: Floats) -> Floats:
-    """Return heights (x, y) on a grid whose cubic spline passes through points (n,) beside it."""
+    """Return heights (x, y) on a grid, whose cubic spline has given heights at points beside it.
+
+    Given are heights (x, y), NaN without a point, and the pixels and offsets (n, 2) of the points.
+    """
     is_missing = np.isnan(heights)
     nearest = ndimage.distance_transform_edt(
         is_missing, return_distances=False, return_indices=True
     )
-    known_heights = heights[tuple(nearest)]
+    point_heights = heights[tuple(nearest)]
     positions = np.indices(heights.shape, dtype=float)
     positions[:, indices[:, 0], indices[:, 1]] += offsets.T
-    grid_heights = known_heights
+    grid_heights = point_heights
     for _ in range(SPLINE_ITERATIONS):
         spline = ndimage.map_coordinates(grid_heights, positions, order=3, mode="nearest")
-        grid_heights = grid_heights + known_heights - spline
+        grid_heights = grid_heights + point_heights - spline
     return np.where(is_missing, np.nan, grid_heights)
 
 
 def _grid_axis(positions: Floats) -> Floats:
-    """Return evenly spaced positions (k,) of a grid near positions; none if these are all equal."""
+    """Return evenly spaced positions (k,) near all positions (n,); none if these are all equal."""
     extent = float(np.ptp(positions))
     if not 0 < extent < np.inf:
         return np.empty(0)

@@ -26,11 +26,11 @@ from hardcontact.surfaces.height_map import HeightMap
 
 #: The largest file in bytes: four times a map of 8192 x 8192 pixels in single precision.
 MAX_FILE_BYTES = 2**30
-#: Memory that the child may add, in bytes: for any file, for each byte read, and at most.
+#: Memory that the child may add, in bytes: for any file, more for each byte read, and at most.
 SMALL_FILE_MEMORY = 2**29
 MEMORY_PER_BYTE = 200
 MAX_MEMORY = 4 * 2**30
-#: Processor time of the child in s: for any file, for each 2**20 bytes read, and at most.
+#: Processor time of the child in s: for any file, more for each 2**20 bytes read, and at most.
 SMALL_FILE_SECONDS = 2
 SECONDS_PER_MEGABYTE = 10
 MAX_SECONDS = 120
@@ -69,7 +69,7 @@ def read_scan(
     map_size: float | str = DEFAULT_OPTIONS.map_size,
     mask: str = DEFAULT_OPTIONS.mask,
 ) -> HeightMap:
-    """Read the central square of a map, or a line scan, in nm, not levelled.
+    """Read a square of a map, or a line scan, not levelled.
 
     The arguments are those of `api.read_scan`. Raises ValueError, in one line, if the scan cannot
     be used.
@@ -95,7 +95,7 @@ def read_in_child(
     reader: Callable[..., dict[str, Any]], path: Path, *arguments: str | float
 ) -> dict[str, Any]:
     """Return what a reader makes of the bytes of a file in a child process, or raise ValueError."""
-    size = _file_bytes(path)
+    size = _file_size(path)
     seconds = min(MAX_SECONDS, SMALL_FILE_SECONDS + SECONDS_PER_MEGABYTE * size // 2**20)
     memory = min(MAX_MEMORY, SMALL_FILE_MEMORY + MEMORY_PER_BYTE * size)
     context = multiprocessing.get_context("fork")
@@ -128,7 +128,8 @@ def read_in_child(
     return answer
 
 
-def _file_bytes(path: Path) -> int:
+def _file_size(path: Path) -> int:
+    """Return the size of a file in bytes; raise ValueError if it cannot be a scan."""
     if path.is_dir():
         raise ValueError(
             f"{path}: expected a scan, found a folder: name a file in it; hardcontact "
@@ -178,7 +179,7 @@ def _run_child(
 
 
 def _replace_control_characters(value: Any) -> Any:
-    """Return a text, or a list of texts, with blanks for control characters."""
+    """Return a text or a list with blanks for control characters, any other value unchanged."""
     if isinstance(value, list):
         return [_replace_control_characters(item) for item in value]
     if isinstance(value, str):
@@ -196,7 +197,7 @@ def _limit_resources(seconds: int, memory: int) -> None:
     if sys.platform == "linux":  # elsewhere the memory is not limited
         pages = int(Path("/proc/self/statm").read_text().split()[0])
         limits[resource.RLIMIT_AS] = pages * resource.getpagesize() + memory
-    for limited, limit in limits.items():
-        _, hard = resource.getrlimit(limited)
-        limit = limit if hard == resource.RLIM_INFINITY else min(limit, hard)
-        resource.setrlimit(limited, (limit, hard))
+    for kind, limit in limits.items():
+        _, hard_limit = resource.getrlimit(kind)
+        limit = limit if hard_limit == resource.RLIM_INFINITY else min(limit, hard_limit)
+        resource.setrlimit(kind, (limit, hard_limit))
