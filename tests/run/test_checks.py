@@ -145,7 +145,9 @@ def test_masters_under_a_rough_sphere_have_its_pixels(tmp_path, project_folder):
     check_configuration(paper_configuration(), tmp_path, rows)
     rough = paper_configuration({"band.sphere_roughness": True})
     message = refusal(check_configuration, rough, tmp_path, rows)
-    assert_says(message, "16384 pixels per row of the long-edge masters of ncd", "found 25600")
+    assert_says(
+        message, "16384 pixels per row of the long-edge masters of polished_uncd", "found 25600"
+    )
 
 
 # Scans that the study has stored

@@ -42,8 +42,7 @@ def raise_faults(lines: Iterable[str]) -> None:
     """Raise ValueError with each line once, if there are any; beyond MAX_LINES count them."""
     reported = [*dict.fromkeys(lines)]
     if len(reported) > MAX_LINES:
-        unreported = len(reported) - MAX_LINES + 1
-        reported[MAX_LINES - 1 :] = [f"and {unreported} more faults, not shown"]
+        reported[MAX_LINES - 1 :] = [f"and {len(reported) - MAX_LINES + 1} more faults, not shown"]
     if reported:
         raise ValueError("\n".join(reported))
 
@@ -93,34 +92,34 @@ def _fault_lines(model: type[BaseModel], error: ValidationError, prefix: str) ->
     faults = dict[str, str]()
     unknown = dict[tuple[int | str, ...], list[str]]()
     for fault in error.errors(include_url=False):
-        keys = fault["loc"]
+        location = fault["loc"]
         if fault["type"] in ("extra_forbidden", "invalid_key"):
-            unknown.setdefault(keys[:-1], []).append(quote_key(keys[-1]))
-        elif not keys and fault["type"] == "value_error":  # a rule across keys
+            unknown.setdefault(location[:-1], []).append(quote_key(location[-1]))
+        elif not location and fault["type"] == "value_error":  # a rule across keys
             lines = str(fault["ctx"]["error"]).splitlines()
             return [prefix.removesuffix("config key ") + line for line in lines]
         else:
-            faults.setdefault(_join_key(keys), _describe_fault(fault))
-    for keys, names in unknown.items():
-        faults[_join_key(keys)] = _describe_unknown(model, section_model(model, keys), names)
+            faults.setdefault(_join_key(location), _describe_fault(fault))
+    for section, names in unknown.items():
+        faults[_join_key(section)] = _describe_unknown(model, section_model(model, section), names)
     return [f"{prefix}{key}: {faults[key]}" for key in sorted(faults)]
 
 
-def _join_key(keys: tuple[int | str, ...]) -> str:
-    """Return a key as one text, with dots between its parts."""
-    return ".".join(map(quote_key, keys)) or "(top level)"
+def _join_key(location: tuple[int | str, ...]) -> str:
+    """Return a key as one text, with dots between the names that lead to it."""
+    return ".".join(map(quote_key, location)) or "(top level)"
 
 
-def section_model(model: type[BaseModel], keys: Iterable[int | str]) -> type[BaseModel]:
-    """Return the model of a section of keys, by the names that lead to it."""
-    for name in keys:
+def section_model(model: type[BaseModel], names: Iterable[int | str]) -> type[BaseModel]:
+    """Return the model of a section, by the names of the sections that lead to it."""
+    for name in names:
         annotation: Any = model.model_fields[str(name)].annotation
         model = annotation
     return model
 
 
 def _describe_fault(fault: Mapping[str, Any]) -> str:
-    """Return the accepted values and the value in words."""
+    """Return the accepted values and the faulty one in words."""
     if fault["type"] == "value_error":
         return str(fault["ctx"]["error"])
     words = PYDANTIC_PHRASES.sub("", fault["msg"].replace("''", "nothing"))
@@ -129,14 +128,14 @@ def _describe_fault(fault: Mapping[str, Any]) -> str:
 
 
 def _describe_unknown(model: type[BaseModel], section: type[BaseModel], names: list[str]) -> str:
-    """Return the expected keys of a section, and known keys that unknown ones resemble."""
+    """Return the accepted keys of a section, and known keys of any section that names resemble."""
     known_keys = list(section.model_fields)
-    written = {key: _key_in_yaml(key) for key, _ in key_fields(model)}
-    # Of keys with the same name in several sections, the first.
-    written |= {key.rpartition(".")[2]: text for key, text in reversed(written.items())}
-    written |= {key: key for key in known_keys}
-    matches = [difflib.get_close_matches(name, written, n=1, cutoff=SIMILARITY) for name in names]
-    suggestions = ", ".join(dict.fromkeys(written[key] for keys in matches for key in keys))
+    in_yaml = {key: _key_in_yaml(key) for key, _ in key_fields(model)}
+    # A name that several sections have stands for the first.
+    in_yaml |= {key.rpartition(".")[2]: text for key, text in reversed(in_yaml.items())}
+    in_yaml |= {key: key for key in known_keys}
+    matches = [difflib.get_close_matches(name, in_yaml, n=1, cutoff=SIMILARITY) for name in names]
+    suggestions = ", ".join(dict.fromkeys(in_yaml[key] for keys in matches for key in keys))
     accepted = "a key that exists" if all(matches) else f"one of {', '.join(known_keys)}"
     question = f" (did you mean {suggestions}?)" if suggestions else ""
     return f"expected {accepted}; found {', '.join(sorted(names))[:200]}{question}"

@@ -1,7 +1,8 @@
 """Limits of keys that follow from the pixels of scans and masters, and from memory.
 
-Only the first fault of each surface, of each substrate with the sphere, and of each master is
-reported, because later limits may assume earlier ones.
+Only the first fault of each key is reported, because one value often exceeds several limits. Of a
+surface, a substrate with the sphere, or the masters of a side, only the first fault is reported,
+because later limits may assume earlier ones.
 """
 
 import math
@@ -12,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from hardcontact.base.formatting import format_quantity
+from hardcontact.base.units import format_exact
 from hardcontact.config.configuration import get_key, is_paper_study, master_keys, study_contact
 from hardcontact.config.faults import key_fault, raise_faults
 from hardcontact.contact.contact import Contact
@@ -54,7 +56,7 @@ class NamedContact(NamedTuple):
 
 
 def study_contacts(study: dict[str, Any]) -> dict[str, NamedContact]:
-    """Return, by stage of a study, the contact that pixels and memory limit most."""
+    """Return the contact that pixels and memory limit most on scans, indents, band and sets."""
     contact = study_contact(study)
     scan_contact = NamedContact(replace(contact, rho=study["adhesion"]["ranges"][0]))
     master_contact = NamedContact(contact, rho_key="adhesion.range")
@@ -74,7 +76,7 @@ def study_contacts(study: dict[str, Any]) -> dict[str, NamedContact]:
 
 def refuse_unfit_values(study: dict[str, Any], extents: Mapping[str, Extent]) -> None:
     """Refuse values that the extents of scans, by surface, do not permit."""
-    fault_series = []
+    fault_series = list[Iterator[str]]()
     sphere_surface = study["sphere"]["surface"]
     master_sections = ["band", "sets"] if is_paper_study(study) else ["band"]
     for surface, extent in extents.items():
@@ -88,17 +90,20 @@ def refuse_unfit_values(study: dict[str, Any], extents: Mapping[str, Extent]) ->
                 for section in master_sections
                 for side in SIDES
             ]
-    raise_faults(filter(None, (next(faults, "") for faults in fault_series)))
+    first_faults = dict[str, str]()
+    for fault in filter(None, (next(faults, "") for faults in fault_series)):
+        first_faults.setdefault(fault.partition(": expected")[0], fault)
+    raise_faults(first_faults.values())
 
 
 def contact_faults(named_contact: NamedContact, surface: str, extent: Extent) -> Iterator[str]:
     """Yield the faults of a contact on a scan: load, number of contacts and range of adhesion."""
     contact, preload_key, count_key, rho_key = named_contact
     row_pixels = 2 * extent.pixels
-    seen_pixels = min(count_window_pixels(contact.window, extent.pixel_size), row_pixels) ** 2
-    max_pixels = int(MAX_CONTACT_SHARE * seen_pixels)
-    reason = f"which {100 * MAX_CONTACT_SHARE:g} % of {seen_pixels} pixels of {surface} can carry"
-    yield from _load_faults(preload_key, contact, max_pixels, extent.pixel_size, reason)
+    window_pixels = min(count_window_pixels(contact.window, extent.pixel_size), row_pixels) ** 2
+    available_pixels = int(MAX_CONTACT_SHARE * window_pixels)
+    reason = f"which {100 * MAX_CONTACT_SHARE:g} % of {window_pixels} pixels of {surface} can carry"
+    yield from _load_faults(preload_key, contact, available_pixels, extent.pixel_size, reason)
     if contact.contacts_per_row > row_pixels:
         accepted = f"at most the {row_pixels} pixels along the mirrored scan of {surface}"
         yield f"{count_key}: expected {accepted}, found {contact.contacts_per_row}"
@@ -127,7 +132,7 @@ def _scan_faults(study: dict[str, Any], surface: str, extent: Extent) -> Iterato
 def _body_faults(
     study: dict[str, Any], surface: str, extent: Extent, sphere: Extent
 ) -> Iterator[str]:
-    """Yield the faults on scans of a substrate and of the sphere, on common pixels."""
+    """Yield the faults of window, pixels, loads and range on both bodies, with common pixels."""
     window = study["contact"]["window"]
     pixel_size = min(extent.pixel_size, sphere.pixel_size)
     bodies = f"{surface} and the sphere"
@@ -156,7 +161,7 @@ def _body_faults(
 def _master_faults(
     study: dict[str, Any], section: str, side: str, surface: str, extent: Extent, sphere: Extent
 ) -> Iterator[str]:
-    """Yield the faults on the masters of one side that are built on a surface."""
+    """Yield the faults of pixels, wavelengths and loads on the masters of a substrate and side."""
     keys = master_keys(study, section, side)
     pixels = get_key(study, keys["pixels"])
     tiles = get_key(study, keys["tiles"]) if "tiles" in keys else 1
@@ -214,6 +219,6 @@ def _load_faults(
         max_load = available_pixels * (pixel_size * 1e-9) ** 2 * contact.hardness
         yield (
             f"{name}: expected at most {format_quantity(max_load, 'N')} of load at a hardness of "
-            f"{contact.hardness / 1e9:.4g} GPa, {reason}, found "
+            f"{format_exact(contact.hardness, 'Pa')}, {reason}, found "
             f"{format_quantity(contact.preload, 'N')}"
         )
