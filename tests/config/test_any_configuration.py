@@ -1,4 +1,4 @@
-"""Arbitrary configurations are valid, or refused with one clear line per fault in a short time."""
+"""Any configuration is valid, or refused within seconds with a line for each fault."""
 
 import re
 import time
@@ -15,9 +15,10 @@ from hardcontact.config.selected_surfaces import selected_scans, surface_table
 from hardcontact.run import checks
 
 pytestmark = pytest.mark.usefixtures("project_folder")
-LEAVES = sorted(dotted_keys(PAPER))
-BRANCHES = sorted({path.rpartition(".")[0] for path in LEAVES})
-MESSAGE = re.compile(r"config key [^:]+: expected .+ found .+|\S+: .*expected .+ found.+")
+KEYS = sorted(dotted_keys(PAPER))
+SECTIONS = sorted({key.rpartition(".")[0] for key in KEYS})
+#: A line of a message on a key or a file.
+MESSAGE_LINE = re.compile(r"config key [^:]+: expected .+ found .+|\S+: .*expected .+ found.+")
 
 #: The same examples in every run.
 SETTINGS = settings(
@@ -29,8 +30,8 @@ SETTINGS = settings(
     ],
 )  # fmt: skip
 
-
-NASTY = [
+#: Values on which parsers fail: control characters, extreme numbers, unusual digits and units.
+ODD_VALUES = [
     "", " ", "~", "null", "..", "/", "/dev/zero", "a\nb", "a\0b", "{scan}", "$x", "%s", "*", "\\",
     "'", "\t", "\x1b[31m", "\u2028", "é" * 300, "x" * 10**5, "1nm", "1 µm", "1e300 nm", "1e-300 nm",
     "-1 nm", "0 nm", "nan nm", "inf nm", "1" * 400 + " nm", "1 lb", "1 degC", "1 dBm", "1 nm nm",
@@ -42,8 +43,9 @@ NASTY = [
 LETTERS = "aZ09 .,:-_/#&*!|>%@`'\"{}[]\\\t\n\0\x1bµé\u2028١😀"
 UNITS = ["nm", "um", "µm", "mm", "m", "pm", "Å", "N", "uN", "nN", "mN", "GPa", "MPa", "Pa", "s", ""]
 
+odd_values = st.sampled_from(ODD_VALUES)
 scalars = st.one_of(
-    st.sampled_from(NASTY),
+    odd_values,
     st.integers(),
     st.floats(),
     st.text(LETTERS, max_size=30),
@@ -51,9 +53,7 @@ scalars = st.one_of(
     st.binary(max_size=5),
     st.builds("{:.4g} {}".format, st.floats(1e-12, 1e12), st.sampled_from(UNITS)),
 )
-keys = st.one_of(
-    st.text(LETTERS, max_size=5), st.integers(), st.booleans(), st.none(), st.sampled_from(NASTY)
-)
+keys = st.one_of(st.text(LETTERS, max_size=5), st.integers(), st.booleans(), st.none(), odd_values)
 values = st.recursive(
     scalars,
     lambda inner: st.lists(inner, max_size=5) | st.dictionaries(keys, inner, max_size=4),
@@ -61,10 +61,10 @@ values = st.recursive(
 )
 
 
-def near(value):
-    """Give values close to a value of the paper: scaled, repeated or in another order."""
+def nearby_values(value):
+    """Return a strategy of values close to the paper's: scaled, repeated or in another order."""
     if isinstance(value, list):
-        items = [near(item) for item in value] or [st.just(0)]
+        items = [nearby_values(item) for item in value] or [st.just(0)]
         return st.lists(st.one_of(items), max_size=5) | st.permutations(value)
     if isinstance(value, dict):
         return st.just(value)
@@ -74,12 +74,12 @@ def near(value):
         scaled = st.sampled_from([0.1, 0.25, 0.5, 0.99, 1, 1.01, 2, 4, 10]).map(lambda f: f * value)
         return scaled.map(round) if isinstance(value, int) else scaled
     if match := re.fullmatch(r"([\d.]+) (\w+)", value):
-        return st.builds("{:.4g} {}".format, near(float(match[1])), st.just(match[2]))
+        return st.builds("{:.4g} {}".format, nearby_values(float(match[1])), st.just(match[2]))
     return st.sampled_from([value, *SUBSTRATES, "ruby", "laplacian", "profile", "harmonic"])
 
 
-def outcome(config):
-    """Return the refusal of a study, or None if it is valid; this takes less than 5 s."""
+def check_in_time(config):
+    """Return the message that refuses a study, or None if it is valid, in less than 5 s."""
     start = time.process_time()
     try:
         numbers = numeric_configuration(config)
@@ -90,34 +90,34 @@ def outcome(config):
         message = str(error)
         for line in message.splitlines():
             assert line.isprintable() and len(line) < 1500, message
-            assert MESSAGE.fullmatch(line), message
+            assert MESSAGE_LINE.fullmatch(line), message
     assert time.process_time() - start < 5
     return message
 
 
 @pytest.mark.parametrize("file", ["config/config.yaml", "config/quick.yaml", TINY])
 def test_the_study_of_the_paper_and_smaller_ones_are_valid(file):
-    assert outcome(merge_overlay(PAPER, yaml.safe_load((ROOT / file).read_text()))) is None
+    assert check_in_time(merge_overlay(PAPER, yaml.safe_load((ROOT / file).read_text()))) is None
 
 
 @SETTINGS
-@given(st.sampled_from(LEAVES + BRANCHES), values)
-def test_any_value_at_any_key_is_accepted_or_refused_with_the_key(path, value):
-    message = outcome(set_keys(PAPER, {path: value}))
+@given(st.sampled_from(KEYS + SECTIONS), values)
+def test_any_value_at_any_key_is_accepted_or_refused_with_the_key(key, value):
+    message = check_in_time(set_keys(PAPER, {key: value}))
     assert message is None or message.startswith("config key")
 
 
 @SETTINGS
 @given(st.data())
 def test_values_near_the_paper_s_become_numbers_or_are_refused(data):
-    """Several keys have other values at once; an accepted study has only numbers."""
+    """Several keys have other values at once."""
     config = PAPER
-    several_keys = st.lists(st.sampled_from(LEAVES), min_size=1, max_size=6, unique=True)
-    for path in data.draw(several_keys):
-        config = set_keys(config, {path: data.draw(near(get_key(PAPER, path)))})
-    if outcome(config) is None:
+    several_keys = st.lists(st.sampled_from(KEYS), min_size=1, max_size=6, unique=True)
+    for key in data.draw(several_keys):
+        config = set_keys(config, {key: data.draw(nearby_values(get_key(PAPER, key)))})
+    if check_in_time(config) is None:
         numbers = numeric_configuration(config)
-        for path in LEAVES:
-            value = get_key(numbers, path)
+        for key in KEYS:
+            value = get_key(numbers, key)
             for item in value if isinstance(value, list) else [value]:
                 assert isinstance(item, str | dict) or 0 <= abs(item) < 1e14

@@ -86,12 +86,12 @@ def test_each_fault_is_reported_once_in_order():
 DOCUMENTATION = (ROOT / "config/README.md").read_text("utf-8")
 
 
-def test_the_configuration_and_its_documentation_are_made_from_the_model():
-    instead = "not current: run python -m hardcontact.config.key_tables"
+def test_the_configuration_and_its_documentation_are_made_from_the_keys():
+    remedy = "not current: run python -m hardcontact.config.key_tables"
     assert key_tables.configuration_yaml() == (ROOT / "config/config.yaml").read_text("utf-8"), (
-        instead
+        remedy
     )
-    assert key_tables.update_columns(DOCUMENTATION) == DOCUMENTATION, instead
+    assert key_tables.update_columns(DOCUMENTATION) == DOCUMENTATION, remedy
 
 
 def test_quantities_of_the_paper_are_assumed_unless_they_are_given():

@@ -21,7 +21,7 @@ def test_all_spectra_of_the_repository_are_accepted():
 
 
 @pytest.mark.parametrize(
-    ("band", "message_parts"),
+    ("segment", "message_parts"),
     [
         ("inf,20,varying Hurst,,,,,,assumed,none", ["rolloff_nm", "found none"]),
         ("inf,20,varying Hurst,1e9,-3,1,-1,,assumed,none", ["rolloff_nm", "equal to 0", "-3"]),
@@ -34,9 +34,9 @@ def test_all_spectra_of_the_repository_are_accepted():
         ("inf,20,self-affine,1e9,2000,-1.1,,,assumed,none", ["hurst", "-1.1"]),
     ],
 )
-def test_faulty_descriptions_are_refused(tmp_path, band, message_parts):
+def test_faulty_descriptions_are_refused(tmp_path, segment, message_parts):
     path = tmp_path / "surface.csv"
-    path.write_text(f"{DESCRIPTION_HEADER}{band}\n")
+    path.write_text(f"{DESCRIPTION_HEADER}{segment}\n")
     assert_says(
         refusal(refuse_description, path, TABLE_1), "surface.csv", "expected", *message_parts
     )
@@ -49,7 +49,7 @@ def test_a_blank_hurst_exponent_needs_rows_of_table_1(tmp_path):
     refuse_description(path, TABLE_1)
 
 
-def test_own_studies_refuse_substitutes_for_the_paper():
+def test_own_studies_refuse_substitutes_for_the_paper_and_substitutes_without_data():
     for path in SPECTRA.glob("crn_*.csv"):
         refuse_in_own_study(path, path.stem, {"uncd", "ncd"})
     for name, surface, message_parts in (

@@ -6,21 +6,21 @@ from refusals import assert_says, refusal
 from hardcontact.config.force_table import read_forces
 
 SURFACES = ["coating", "bare"]
-RADIUS = 250e3
+RADIUS = 250e3  # nm
 
 
 def test_a_table_may_have_decimal_commas_between_semicolons(write_table):
-    commas = write_table("surface;median;mean;count;unit", "bare;1,0591e1;11,749;40;µN")
-    (row,) = read_forces(commas, SURFACES, RADIUS).itertuples(index=False)
+    summaries = write_table("surface;median;mean;count;unit", "bare;1,0591e1;11,749;40;µN")
+    (row,) = read_forces(summaries, SURFACES, RADIUS).itertuples(index=False)
     assert row == ("bare", 1.1749e-5, 1.0591e-5, 40, "")
-    points = write_table("surface;value;unit", "bare;11.5;uN")
-    assert read_forces(points, SURFACES, RADIUS)["mean"].tolist() == [1.15e-5]
+    single_forces = write_table("surface;value;unit", "bare;11.5;uN")
+    assert read_forces(single_forces, SURFACES, RADIUS)["mean"].tolist() == [1.15e-5]
 
 
 @pytest.mark.parametrize(
     ("header", "row"),
     [
-        ("surface,value,unit", "bare,0.00101971621,gf"),
+        ("surface,value,unit", "bare,0.00101971621,gf"),  # 10 µN over 9.80665 m/s²
         ("surface,value,unit", "bare,1.01971621,mgf"),
         ("surface,value,unit", "bare,40,mN/m"),  # a force over the radius of 250 µm
         ("surface,pull-off [nN]", "bare,10000"),

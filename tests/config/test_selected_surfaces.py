@@ -1,4 +1,4 @@
-"""Faulty tables of surfaces are refused in one line, which names the line or the surface."""
+"""Tables of surfaces: faulty ones are refused in one line; each content has its digests."""
 
 import numpy as np
 import pytest
@@ -9,14 +9,14 @@ from studies import read_surfaces, table_of_own_scans
 
 from hardcontact.config.selected_surfaces import digest_surfaces, surface_table
 
-FIRST = ROWS.splitlines()[1]
+FIRST_ROW = ROWS.splitlines()[1]
 HEADER = ROWS.partition("\n")[0]
 
 
 @pytest.mark.parametrize(
     ("text", "message_parts"),
     [
-        (ROWS + FIRST + "\n", ["line 27", "once", "polished_uncd 1"]),
+        (ROWS + FIRST_ROW + "\n", ["line 27", "once", "polished_uncd 1"]),
         (ROWS.replace("spectra/uncd", "spectra/no"), ["line 7", "spectra/no.csv", "no such file"]),
         (ROWS.replace("spectra/uncd", "spectra/mcd", 1), ["surface uncd", "one path", "mcd.csv"]),
         (ROWS.replace("2\tsubstitute", "2\tmeasured", 1), ["polished_uncd", "one source"]),
