@@ -35,7 +35,7 @@ if IS_PAPER_STUDY:
 
     report: "workflow/report/workflow.rst"
 
-    # Contacts in detail, the band, fits, other substitutes, verdicts, figures and pages.
+    # Contacts in detail, the band, fits, sets, verdicts, figures and pages.
     include: "workflow/rules/single_contacts.smk"
     include: "workflow/rules/band.smk"
     include: "workflow/rules/fits.smk"

@@ -1,4 +1,4 @@
-"""Checks of the arguments of functions and commands, with the same messages as a study."""
+"""Checks of the arguments of functions and commands, with the limits of a study."""
 
 import math
 import re
@@ -43,7 +43,7 @@ REMEDY = re.compile(r"(?:--\w+ \S+ \()?scan\.(\w+): ([\w,]+)\)?")
 
 @contextmanager
 def arguments_in_messages() -> Iterator[None]:
-    """Put arguments of functions in place of options and keys in a ValueError."""
+    """Put arguments of functions in place of options and keys in a ValueError of the block."""
     try:
         yield
     except ValueError as error:
@@ -57,7 +57,7 @@ def _format_argument(remedy: re.Match[str]) -> str:
 
 
 def unit_question(quantity: str, number: float) -> str:
-    """Return a question if a number, in the unit of its key, is not usual; otherwise no text."""
+    """Return a question if a number, in the unit of its key, is not usual, or else no text."""
     *bounds, examples = USUAL_BOUNDS[quantity]
     unit = quantity_type(CONTACT_QUANTITIES[quantity][0]).unit
     low, high = (parse_quantity(bound, unit) for bound in bounds)
@@ -72,7 +72,7 @@ def unit_question(quantity: str, number: float) -> str:
 def check_read_arguments(
     files: Sequence[object], lengths: Mapping[str, object], **texts: object
 ) -> None:
-    """Refuse arguments of other types, lengths that are not positive, or an unknown mask."""
+    """Refuse files that are no paths, texts that are no strings, unknown masks, lengths up to 0."""
     faults = [
         f"files: expected a path in each argument, found {' '.join(shorten(file).split())}"
         for file in files
@@ -138,13 +138,13 @@ def check_contact(surface: HeightMap, contact: Contact, ranges: Sequence[float])
     # Limits are stated for a scan, which is half as large as its periodic map.
     relief = float(np.ptp(surface.heights))
     extent = Extent(surface.pixels // 2, surface.pixel_size, surface.size / 2, relief)
-    shortest_contact = replace(contact, rho=min(ranges))
-    named_contact = NamedContact(shortest_contact, "preload", "contacts_per_row", "rho")
+    contact = replace(contact, rho=min(ranges))
+    named_contact = NamedContact(contact, "preload", "contacts_per_row", "rho")
     raise_faults(islice(contact_faults(named_contact, "the map", extent), 1))
 
 
 def check_cutoffs(cutoffs: Mapping[str, Sequence[float]], surface: HeightMap) -> None:
-    """Refuse cutoffs at which a periodic surface has no waves."""
+    """Refuse cutoffs that are no sequences by side, or at which a periodic surface has no waves."""
     if not isinstance(cutoffs, Mapping) or not cutoffs or not set(cutoffs) <= set(SIDES):
         raise ValueError(
             f"cutoffs: expected a mapping with short, long or both, found {shorten(cutoffs)}"
@@ -161,7 +161,7 @@ def check_cutoffs(cutoffs: Mapping[str, Sequence[float]], surface: HeightMap) ->
 
 
 def make_periodic(surface: HeightMap, name: str = "scan") -> HeightMap:
-    """Return a periodic map, or the mirrored map of another map; refuse other objects."""
+    """Return a periodic map as it is, another map mirrored; refuse what is no valid map."""
     if not isinstance(surface, HeightMap):
         raise ValueError(
             f"{name}: expected a scan of hc.read_scan(FILE), or hc.HeightMap(heights, pixel_size) "

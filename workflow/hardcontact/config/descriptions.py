@@ -27,7 +27,7 @@ class SegmentRow(Keys, extra="ignore"):
     shortest_nm: NotNegative
     plateau_nm4: NotNegative
     rolloff_nm: NotNegative
-    # With the smallest exponent C_iso is constant; below it would grow towards short wavelengths.
+    # At H = -1, C_iso is constant; for smaller H it would grow towards short wavelengths.
     hurst: Annotated[float, Field(strict=False, ge=-1, allow_inf_nan=False), BLANK_AS_NAN]
     hurst_change: Annotated[float, Field(strict=False, allow_inf_nan=False), BLANK_AS_NAN]
     model: Literal["self-affine", "varying Hurst", "smooth roll-off", "profile", "power law"]
@@ -42,14 +42,14 @@ class SegmentRow(Keys, extra="ignore"):
 
 
 class ProfileRow(Keys, extra="ignore"):
-    """A row of the table of a profile's spectrum: one of its points."""
+    """A point of the spectrum of a profile, which is a row of its table."""
 
     wavelength_nm: NotNegative
     c1d_nm3: NotNegative
 
 
 def refuse_description(path: str | Path, published_rows: Collection[str]) -> None:
-    """Refuse a description that, even with rows of Table 1, gives no spectrum."""
+    """Refuse a description that gives no spectrum, even with its surface's rows of Table 1."""
     content = "a table with the columns {} (resources/README.md)"
     rows = read_rows(path, SegmentRow, content)
     for line, row in rows.items():
@@ -70,7 +70,7 @@ def refuse_description(path: str | Path, published_rows: Collection[str]) -> Non
 
 
 def refuse_in_own_study(path: str | Path, surface: str, published: Collection[str]) -> None:
-    """Refuse a surface of Table 1, and a description without data, in a study of other surfaces."""
+    """Refuse a substitute for the paper's surfaces, or one without data, in a study of others."""
     segments = read_segments(path)
     if surface in published or needs_calibration(segments):
         raise ValueError(

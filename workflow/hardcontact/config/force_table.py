@@ -13,12 +13,12 @@ from hardcontact.config.key_types import Quantity
 from hardcontact.config.user_files import Row, decode_utf8, parse_number, user_table
 
 #: Columns of a table of single forces.
-SINGLE_FORCES = ("surface", "value", "unit")
+SINGLE_COLUMNS = ("surface", "value", "unit")
 #: Columns of a table with one row per surface.
-SUMMARIES = ("surface", "mean", "median", "count", "unit")
-#: Columns that are read; `site` names the site at which a force was measured.
-KNOWN_COLUMNS = {*SINGLE_FORCES, *SUMMARIES, "site"}
-#: Other names of `site`: if it were ignored, forces at one site would count as independent.
+SUMMARY_COLUMNS = ("surface", "mean", "median", "count", "unit")
+#: Columns that are read. Forces at one `site`, an optional name, are not independent.
+KNOWN_COLUMNS = {*SINGLE_COLUMNS, *SUMMARY_COLUMNS, "site"}
+#: Other names of `site`, which are refused, because ignored sites would be independent.
 SITE_SYNONYMS = ("place", "position", "location", "spot")
 #: Columns whose cells are forces.
 FORCE_COLUMNS = ("value", "mean", "median")
@@ -41,12 +41,12 @@ def read_forces(
     table = user_table(path, f"a table of forces ({named_by})", decode=_decode_forces)
     header, units = _split_units(table.header)
     table = table._replace(header=header)
-    columns = SUMMARIES if "mean" in header else SINGLE_FORCES
+    columns = SUMMARY_COLUMNS if "mean" in header else SINGLE_COLUMNS
     defaults = {"surface": next(iter(surfaces))} if len(surfaces) == 1 else {}
     defaults |= {"unit": ""} if units else {}
     table.require_columns(
         [name for name in columns if name not in defaults],
-        f"a row for each force, the columns {', '.join(SINGLE_FORCES)} or {', '.join(SUMMARIES)}, "
+        f"a row per force, columns {', '.join(SINGLE_COLUMNS)} or {', '.join(SUMMARY_COLUMNS)}, "
         "separated by commas; a column such as value (uN) needs no unit, one surface no name",
     )
     resembled_names = [*KNOWN_COLUMNS, *SITE_SYNONYMS]
@@ -59,7 +59,7 @@ def read_forces(
     rows = table.map_rows(lambda row: _parse_force(defaults | dict(row), units, surfaces, radius))
     names = ["surface", "mean", "median", "count", "site"]
     forces = pd.DataFrame.from_dict(rows, orient="index", columns=names).rename_axis("line")
-    if columns == SUMMARIES:
+    if columns == SUMMARY_COLUMNS:
         raise_faults(
             f"{path}: line {line}: expected each surface once, found again {quote_key(surface)}"
             for line, surface in forces.surface[forces.duplicated("surface")].items()
@@ -79,9 +79,9 @@ def _decode_forces(content: bytes) -> str:
 
 
 def _split_units(header: Sequence[str]) -> tuple[list[str], dict[str, str]]:
-    """Return the columns of a header, and the units that it states for columns of forces.
+    """Return the columns of a header in lower case, and the units of its columns of forces.
 
-    If no column is named value, mean or median, the only one with a unit of force is `value`.
+    If no column is named value, mean or median, the only column with a unit of force is `value`.
     """
     names = []
     units = {}

@@ -39,9 +39,7 @@ class Quantity:
             raise ValueError(f"expected {self.expects}, found {shorten(text)}")
         return value
 
-    def __get_pydantic_core_schema__(
-        self, _type: Any, _handler: GetCoreSchemaHandler
-    ) -> CoreSchema:
+    def __get_pydantic_core_schema__(self, _: Any, _handler: GetCoreSchemaHandler) -> CoreSchema:
         """Let pydantic take numbers from texts."""
         return core_schema.no_info_plain_validator_function(self.number)
 
@@ -54,7 +52,7 @@ class Matching:
     expects: str
 
     def check(self, text: str) -> str:
-        """Return a text that matches; refuse another one."""
+        """Return a text that matches; refuse other texts."""
         # A terminal would obey control characters.
         if text.isprintable() and re.fullmatch(self.pattern, text):
             return text
@@ -65,8 +63,8 @@ class Matching:
         return core_schema.no_info_after_validator_function(self.check, handler(str))
 
 
-def _ascending(texts: Any, validate: Callable[[Any], list[float]]) -> list[float]:
-    """Return numbers; refuse quantities that do not ascend."""
+def _validate_ascending(texts: Any, validate: Callable[[Any], list[float]]) -> list[float]:
+    """Return the numbers of quantities; refuse quantities that do not ascend."""
     numbers = validate(texts)
     for index, (smaller, larger) in enumerate(pairwise(numbers)):
         if smaller >= larger:
@@ -76,7 +74,7 @@ def _ascending(texts: Any, validate: Callable[[Any], list[float]]) -> list[float
 
 
 def study_name(max_length: int = MAX_NAME_LENGTH) -> Matching:
-    """Return the type of names of a study; names in .txt are files of the project in `results`."""
+    """Return the type of the name of a study: no name in .txt, as of other files in `results`."""
     return Matching(
         rf"(?!.*\.txt$)[A-Za-z0-9][A-Za-z0-9_.-]{{0,{max_length - 1}}}",
         f"a name of up to {max_length} letters, digits, dots, dashes and underscores, without "
@@ -85,11 +83,11 @@ def study_name(max_length: int = MAX_NAME_LENGTH) -> Matching:
 
 
 def or_word(word: str) -> WrapValidator:
-    """Accept a word in place of other values."""
+    """Return a validator that accepts a word in place of other values."""
     return WrapValidator(lambda value, validate: value if value == word else validate(value))
 
 
-ASCENDING = WrapValidator(_ascending)
+ASCENDING = WrapValidator(_validate_ascending)
 
 Length = Annotated[float, Quantity("nm", 0.01, 1e9)]
 #: A range of adhesion. The lower bound is a tenth of the size of an atom.
@@ -102,7 +100,7 @@ Work = Annotated[float, Quantity("J/m2", 1e-6, 100)]
 Lengths = Annotated[list[Length], Field(min_length=1), ASCENDING]
 Ranges = Annotated[list[Range], Field(min_length=1), ASCENDING]
 Forces = Annotated[list[Force], Field(min_length=1), ASCENDING]
-#: Radii stand in the name of a folder, which holds no more of them.
+#: At most 20, because all radii stand in the name of a folder.
 Radii = Annotated[list[Radius], Field(min_length=1, max_length=20), ASCENDING]
 
 #: The bound permits 40 000 contacts on a scan.
@@ -122,5 +120,5 @@ FOLDER = Matching(
     r"(?=.{1,200}$)/?(?!\.)[A-Za-z0-9_.-]+(/(?!\.)[A-Za-z0-9_.-]+)*",
     "a path of letters, digits, dots, dashes and underscores, no name with a dot in front",
 )
-#: Snakemake takes braces for wildcards.
+#: Snakemake takes names in braces for wildcards, and names in < and > for path variables.
 FilePath = Annotated[str, Matching("[^{}<>]{1,1000}", "the path of a file, without {, }, < and >")]

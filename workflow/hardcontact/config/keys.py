@@ -15,7 +15,7 @@ from hardcontact.config.faults import key_fault, raise_faults
 
 #: Value of the key `published` in a study that is compared with the paper.
 PAPER = "paper"
-#: Value of the keys of tables that a study does not have, and of `published` without the paper.
+#: Value of keys that name nothing: `forces` without a table, `published` without the paper.
 NONE = "none"
 #: Value of the key `sphere.surface` of a sphere without roughness.
 SMOOTH_SPHERE = "smooth"
@@ -34,7 +34,7 @@ def key(default: Any, paper_section: str = "") -> Any:
 
 
 class Keys(BaseModel):
-    """Keys of the configuration: no others are accepted, and no value of another type."""
+    """Keys of a section, or cells of a row: unless stated, others and other types are refused."""
 
     model_config = ConfigDict(
         extra="forbid",
@@ -68,7 +68,7 @@ class ScanKeys(Keys):
     mask: Literal["keep", "exclude"] = "keep"
     """`keep` the heights under a mask of Gwyddion, or `exclude` them as undefined."""
     levelling: Literal["plane", "lines", "quadratic"] = "plane"
-    """Subtracted from scans: a `plane`; with `lines` also streaks and offsets of lines; with
+    """Levelling subtracts a `plane`; with `lines` also streaks and offsets of lines; with
     `quadratic` also the bow of a scanner. The last two remove some real roughness, too."""
 
 
@@ -188,7 +188,7 @@ class IndentKeys(Keys):
     surface: types.SurfaceId = key("ncd", "The Role of Plasticity")
     """Substrate whose contacts indent the sphere."""
     preloads: types.Forces = key(["10 uN", "20 uN"], "The Role of Plasticity (`20 uN`)")
-    """Loads. Larger loads make deeper indents. The figure shows the contact of median depth at the
+    """Loads. Larger loads make deeper indents. Fig. 5 shows the contact of median depth at the
     largest load."""
 
 
@@ -220,7 +220,7 @@ class SetLongSideKeys(Keys):
 
 
 class SetsKeys(Keys):
-    """Sets of substitute scans, all in agreement with Table 1. Intervals are their scatter."""
+    """Sets: random choices of substitute scans and masters, whose scatter gives intervals."""
 
     count: Annotated[int, Field(ge=1, le=10000)] = 100
     """Number of sets, each with other scans and masters. With more sets intervals scatter less."""
@@ -299,10 +299,9 @@ class Study(Keys):
             accepted = "full, because the section quick has no keys"
             found_value = "quick (the quick study of the paper: --configfile config/quick.yaml)"
             yield key_fault("effort", accepted, found_value)
-        repeated_names = sorted({"study", "store"} & self.quick.keys())
-        if repeated_names:
+        if quick_names := sorted({"study", "store"} & self.quick.keys()):
             accepted = f"neither study nor store, whose names at quick effort end in {QUICK_SUFFIX}"
-            yield key_fault("quick", accepted, " and ".join(repeated_names))
+            yield key_fault("quick", accepted, " and ".join(quick_names))
         for name_key in ("study", "store"):
             name = getattr(self, name_key)
             if self.quick and self.effort != "quick" and name.endswith(QUICK_SUFFIX):
@@ -310,7 +309,7 @@ class Study(Keys):
                 yield key_fault(name_key, accepted, name)
 
     def _folder_faults(self) -> Iterator[str]:
-        """Yield the faults of the store relative to the results."""
+        """Yield the faults of a store that overlaps the results, or is elsewhere in the project."""
         folder = f"results/{self.study}"
         results = Path(os.path.realpath(folder))
         store = Path(os.path.realpath(self.store))

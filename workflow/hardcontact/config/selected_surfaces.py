@@ -20,7 +20,7 @@ NO_SCAN = 0
 CONTACT_USE, SPECTRUM_USE = "contact", "spectrum"
 #: Ids that surfaces cannot have: they stand for the mean over surfaces and for a smooth sphere.
 RESERVED_IDS = ("mean", SMOOTH_SPHERE)
-#: The radius of the tip that measured a scan, from a sharp tip to a blunt stylus.
+#: The accepted radii (nm) of tips, from a sharp tip to a blunt stylus.
 TIP_RADIUS = Quantity("nm", 0.1, 1e5)
 LABEL = Matching("[^${}]{1,60}", "a name for figures, up to 60 characters without $, { and }")
 
@@ -65,7 +65,7 @@ class Selection:
         digests: Mapping[str, str],
         published_surfaces: Collection[str],
     ) -> None:
-        """Take the rows of a study; a sphere without rows is smooth."""
+        """Take the rows of a study and their `digest_surfaces`; a sphere without rows is smooth."""
         self._rows = rows
         self._contact_rows = rows[rows.use == CONTACT_USE]
         self._cells = rows.set_index(["surface", "scan"])
@@ -109,7 +109,7 @@ class Selection:
         return [float(text) if text else None for text in texts]
 
     def contact_scan_indices(self, surface: str) -> list[int]:
-        """Return the indices, from 0, of the scans with contacts among all scans of a surface."""
+        """Return the indices, from 0, of the scans with contacts in `all_scans` of a surface."""
         uses = self._rows.use[self._rows.surface == surface]
         return [index for index, use in enumerate(uses) if use == CONTACT_USE]
 
@@ -126,7 +126,7 @@ class Selection:
         return self.path(surface, self.contact_scans(surface)[0])
 
     def tables(self, surface: str) -> list[str]:
-        """Return the tables of measured points that the description of a substitute names."""
+        """Return the paths of the tables of points that the description of a substitute names."""
         description = self.description(surface)
         names = read_segments(description).table.dropna().unique()
         return [(Path(description).parent / name).as_posix() for name in names]
@@ -186,7 +186,7 @@ def _refuse_repeated(path: str | Path, table: pd.DataFrame, columns: list[str]) 
 
 
 def _refuse_disagreement(path: str | Path, table: pd.DataFrame) -> None:
-    """Refuse rows of one surface with different properties of the surface."""
+    """Refuse a surface whose rows disagree, or whose column `use` does not fit."""
     for surface, rows in table.groupby("surface"):
         location = f"{path}: surface {surface}"
         uses = rows.use.unique()

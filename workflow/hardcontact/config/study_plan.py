@@ -54,7 +54,8 @@ class StudyPlan:
     def scan_batches(self) -> dict[tuple[int, ...], list[str]]:
         """The substitutes by batch: the numbers of the scans that one job makes.
 
-        The first batch has the scans of the study, each other batch as many more, for masters.
+        The first batch has the scans of the study. Only the paper's study has other batches, each
+        with as many more scans, for masters.
         """
         master_count = max(self.study[name]["masters"] for name in ("band", "sets", "exponents"))
         surfaces_by_scans = defaultdict[tuple[int, ...], list[str]](list)
@@ -67,10 +68,10 @@ class StudyPlan:
         return surfaces_by_scans
 
     def master_scan(self, surface: str, realization: int) -> int:
-        """Return the number of the scan in a master.
+        """Return the number of the scan from which a master is made.
 
-        In the paper's study more substitute scans are made, so that each master has its own. Other
-        masters take scans in turn, and their intervals take this into account.
+        In the paper's study each master of a substitute has its own scan. Other masters take scans
+        in turn, and their intervals take this into account.
         """
         scans = self.selection.contact_scans(surface)
         is_measured = surface in self.selection.measured_surfaces
@@ -84,7 +85,7 @@ class StudyPlan:
 
     @property
     def featured_surface(self) -> str | None:
-        """The substrate whose scans have features, if it is a substitute of a published surface."""
+        """The substrate whose scans have features; None if it is no substitute for the paper's."""
         surface = self.study["substitutes"]["featured_surface"]
         return surface if surface in self.selection.sampled_substrates else None
 
@@ -109,7 +110,7 @@ class StudyPlan:
         return sphere_scans[self.selection.contact_scans(surface).index(scan) % len(sphere_scans)]
 
     def measurements_of_map(self, surface: str, scan: int) -> list[int]:
-        """Return the indices of the scans of a map, among all scans of its spectrum."""
+        """Return the indices, from 0, of the scans of a map among all scans of its spectrum."""
         bodies = self.rough_bodies(surface, scan)
         all_scans = self.selection.all_scans
         measured = [(body.surface, number) for body in bodies for number in all_scans(body.surface)]

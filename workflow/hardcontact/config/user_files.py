@@ -15,10 +15,10 @@ from pydantic import Field, WrapValidator
 from hardcontact.config.faults import Model, quote_key, raise_faults, validate
 from hardcontact.records.code import ROOT
 
-#: Largest size of a table: a hundred thousand rows.
+#: Largest size of a table: some hundred thousand rows.
 MAX_TABLE_BYTES = 10_000_000
 #: A number with a decimal comma.
-DECIMAL = re.compile(r"^([-+]?\d*),(\d+(?:[eE][-+]?\d+)?)$")
+DECIMAL_COMMA = re.compile(r"^([-+]?\d*),(\d+(?:[eE][-+]?\d+)?)$")
 #: Cells by the name of their column.
 Row = Mapping[str, str]
 Result = TypeVar("Result")
@@ -83,7 +83,7 @@ class UserTable(NamedTuple):
             )
 
     def map_rows(self, function: Callable[[Row], Result]) -> dict[int, Result]:
-        """Return the results of a function of each row, by line; refuse its faults."""
+        """Return the results of a function of each row, by line; refuse each kind of fault once."""
         results = dict[int, Result]()
         faults = dict[str, list[tuple[int, str]]]()
         for line, cells in self.cells.items():
@@ -97,15 +97,14 @@ class UserTable(NamedTuple):
                 for text in str(error).splitlines():
                     faults.setdefault(text.partition(", found ")[0], []).append((line, text))
         raise_faults(
-            f"{self.path}: line {rows[0][0]}{f' and {len(rows) - 1} more' if rows[1:] else ''}: "
-            f"{rows[0][1]}"
-            for rows in faults.values()
+            f"{self.path}: line {line}{f' and {len(others)} more' if others else ''}: {text}"
+            for (line, text), *others in faults.values()
         )
         return results
 
 
 def decode_utf8(content: bytes) -> str:
-    """Return a text in UTF-8, with or without a mark in front."""
+    """Return a text in UTF-8, with or without a byte-order mark."""
     return content.decode("utf-8-sig")
 
 
@@ -140,7 +139,8 @@ def user_table(
         )
         rows = [(reader.line_num, [cell.strip() for cell in row]) for row in reader]
         if cell_separator != separator:
-            rows = [(line, [DECIMAL.sub(r"\1.\2", cell) for cell in row]) for line, row in rows]
+            for _, cells in rows:
+                cells[:] = [DECIMAL_COMMA.sub(r"\1.\2", cell) for cell in cells]
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise ValueError(f"{path}: expected {form} in UTF-8, found: {error}") from None
     written_rows = [(line, cells) for line, cells in rows if any(cells)]
@@ -150,7 +150,7 @@ def user_table(
 def read_rows(
     path: str | Path, model: type[Model], content: str, **options: Any
 ) -> dict[int, Model]:
-    """Return the rows of a table as a model of its columns, by line of the file.
+    """Return the rows of a table as instances of a model, by line of the file.
 
     `content` describes the table, with ``{}`` for its columns; `options` are those of `user_table`.
     """
