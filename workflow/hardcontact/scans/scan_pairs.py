@@ -28,12 +28,12 @@ from hardcontact.surfaces.spectrum import BIN_CENTRES, HALF_DECADE_BINS
 
 #: Correlation of heights, after the best shift, above which two maps show the same area.
 SAME_AREA_CORRELATION = 0.5
-#: Largest number of pixels per row of compared maps: means lower the noise, a pair takes 15 ms.
+#: Largest number of pixels per row of compared maps: a mean over several has less noise.
 COMPARED_PIXELS = 64
 #: Longest wavelength that is compared, as a share of the smaller side: few longer
 #: waves fit in, so different areas would correlate by chance.
 LONGEST_COMPARED_SHARE = 1 / 4
-#: Least overlap after a shift, as a share of the smaller map.
+#: Least overlapping area of two shifted maps, as a share of the smaller map.
 MIN_OVERLAP = 0.5
 #: Least product of variances, relative to the largest: rounding of Fourier transforms is smaller.
 MIN_RELATIVE_VARIANCE_PRODUCT = 1e-9
@@ -56,22 +56,23 @@ def coarse_map(scan: HeightMap) -> HeightMap:
 
 
 def earlier_scans_of_areas(scans: Sequence[HeightMap]) -> list[int | None]:
-    """Return for each levelled scan the index of an earlier scan of its area, or None."""
+    """Return for each levelled scan the index of the first scan of its area, None for that scan."""
     maps = [coarse_map(scan) for scan in scans]
     earlier_indices: list[int | None] = []
     for scan in maps:
-        new_areas = [index for index, earlier in enumerate(earlier_indices) if earlier is None]
-        same_areas = (index for index in new_areas if have_same_area(maps[index], scan))
-        earlier_indices.append(next(same_areas, None))
+        first_indices = [index for index, earlier in enumerate(earlier_indices) if earlier is None]
+        same_area_indices = (index for index in first_indices if have_same_area(maps[index], scan))
+        earlier_indices.append(next(same_area_indices, None))
     return earlier_indices
 
 
 def repetition_notes(scans: Sequence[HeightMap], names: Sequence[str]) -> dict[int, str]:
-    """Return a line on each scan that shows the area of an earlier scan, by its index."""
+    """Return a line, by index, on each scan that shows the area of an earlier scan."""
     return {
-        index: f"{names[index]}: it shows the same area as {names[prior]}, and an area counts once"
-        for index, prior in enumerate(earlier_scans_of_areas(scans))
-        if prior is not None
+        index: f"{names[index]}: it shows the same area as {names[earlier]}, "
+        "and an area counts once"
+        for index, earlier in enumerate(earlier_scans_of_areas(scans))
+        if earlier is not None
     }
 
 
@@ -94,10 +95,10 @@ def have_same_area(scan: HeightMap, other_scan: HeightMap) -> bool:
 
 
 def _short_waves(scan: HeightMap, pixel_size: float, longest_pixels: float) -> Floats:
-    """Return a map on pixels of a size (nm) without waves longer than a number of pixels."""
+    """Return heights on pixels of `pixel_size` (nm) with waves up to `longest_pixels` long."""
     ratio = scan.pixel_size / pixel_size
     heights = scan.heights
-    if ratio < 1:  # Smoothing first removes waves that wider pixels cannot show.
+    if ratio < 1:  # Smoothing by 0.4 wider pixels weakens waves that they cannot show.
         heights = scipy.ndimage.zoom(scipy.ndimage.gaussian_filter(heights, 0.4 / ratio), ratio)
     # A Gaussian of this width keeps half of the longest wave.
     width = np.sqrt(2 * np.log(2)) * longest_pixels / (2 * np.pi)
@@ -123,12 +124,12 @@ def _best_correlation(heights: Floats, other_heights: Floats) -> float:
 
 
 class Contradiction(NamedTuple):
-    """Two scans with different spectra, given by index."""
+    """Two scans whose C_iso differs, most significantly in one group of bins."""
 
-    higher: int
+    higher: int  #: Index of the scan with the higher C_iso.
     lower: int
-    factor: float  #: Ratio of C_iso, higher to lower, by the mean of its logarithm.
-    wavelengths: tuple[float, float]  #: Shortest and longest (nm) of the bins that differ most.
+    factor: float  #: Geometric mean of C_iso, higher to lower, over the bins of the group.
+    wavelengths: tuple[float, float]  #: Shortest and longest (nm) of the group.
 
 
 def describe_contradictions(contradictions: Sequence[Contradiction], names: Sequence[str]) -> str:
@@ -146,9 +147,9 @@ def describe_contradictions(contradictions: Sequence[Contradiction], names: Sequ
 def find_contradictions(
     density: Floats, reliable: ArrayLike, kinds: Iterable[str], sizes: Iterable[float]
 ) -> list[Contradiction]:
-    """Return pairs of scans whose C_iso (scan, bins) contradict each other.
+    """Return pairs of scans whose C_iso contradict each other, the largest factor first.
 
-    The pair with the largest factor comes first.
+    `density` in nm⁴ and `reliable` are (scan, bins); sizes are in nm.
     """
     usable = np.asarray(reliable, bool) & np.isfinite(density)
     scans = zip(kinds, sizes, strict=True)
@@ -157,14 +158,14 @@ def find_contradictions(
     variances = variance_of_log(modes)
     contradictions = []
     for index, other_index in combinations(range(len(logs)), 2):
-        (shared,) = np.nonzero(usable[index] & usable[other_index])
-        if not shared.size:
+        (shared_bins,) = np.nonzero(usable[index] & usable[other_index])
+        if not shared_bins.size:
             continue
         difference = logs[index] - logs[other_index]
         variance = variances[index] + variances[other_index]
         # Scans are compared over all bins in which both are reliable, and over each half decade.
-        half_decades = sliding_window_view(shared, min(HALF_DECADE_BINS, len(shared)))
-        groups = [shared, *half_decades]
+        half_decades = sliding_window_view(shared_bins, min(HALF_DECADE_BINS, len(shared_bins)))
+        groups = [shared_bins, *half_decades]
         means_and_errors = [_mean_difference(difference[bins], variance[bins]) for bins in groups]
         most_significant = int(np.argmax([abs(mean) / error for mean, error in means_and_errors]))
         mean, error = means_and_errors[most_significant]
