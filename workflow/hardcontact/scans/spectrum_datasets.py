@@ -33,7 +33,7 @@ PROPERTY_UNITS = {
 
 
 def scan_properties(
-    scans: Sequence[HeightMap], radii: Sequence[float | None], bands: Sequence[ReliableBand]
+    scans: Sequence[HeightMap], tip_radii: Sequence[float | None], bands: Sequence[ReliableBand]
 ) -> pd.DataFrame:
     """Return properties of scans (PROPERTY_UNITS), a row each, without defects that none has."""
     rows = [
@@ -46,13 +46,13 @@ def scan_properties(
             "limited_by": band.limited_by,
             "path": scan.path,
             "dataset": scan.dataset,
-            "tip_radius": np.nan if radius is None else radius,
+            "tip_radius": np.nan if tip_radius is None else tip_radius,
             "notes": "\n".join(scan.notes),
             "earlier_scan": "" if earlier is None else scans[earlier].name,
             **{name: defect[name] for defect in scan.defects.values() for name in defect},
         }
-        for scan, radius, band, earlier in zip(
-            scans, radii, bands, earlier_scans_of_areas(scans), strict=True
+        for scan, tip_radius, band, earlier in zip(
+            scans, tip_radii, bands, earlier_scans_of_areas(scans), strict=True
         )
     ]
     return pd.DataFrame(rows)
@@ -65,18 +65,18 @@ def add_measurements(
     reliable: NDArray[np.bool_],
     properties: pd.DataFrame,
 ) -> xr.Dataset:
-    """Add to a joined spectrum the measurements behind it.
+    """Return a joined spectrum with the measurements behind it.
 
-    PSDs and `reliable` are (measurement, bins). All PROPERTY_UNITS become variables over
+    PSDs (nm⁴) and `reliable` are (measurement, bins). All PROPERTY_UNITS become variables over
     `measurement`, NaN or "" if `properties` (a row per measurement) does not have them.
     """
     axis = "bin_wavevector"
     axes = ("measurement", axis)
     columns = {}
     for name, unit in PROPERTY_UNITS.items():
-        missing = [np.nan if unit else ""] * len(properties)
-        values = properties[name].to_list() if name in properties else missing
-        columns[name] = ("measurement", values, {"units": unit} if unit else {})
+        fills = [np.nan if unit else ""] * len(properties)
+        column = properties[name].to_list() if name in properties else fills
+        columns[name] = ("measurement", column, {"units": unit} if unit else {})
     return spectrum.assign(
         {
             "psd": (axes, psds, NM4),
@@ -94,8 +94,8 @@ def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
     # Adjacent segments, from long to short wavelengths, with the same `source` become one.
     previous = segments.shift()
     has_gap = segments.longest_nm != previous.shortest_nm
-    begins = has_gap | (segments.source != previous.source)
-    runs = segments.groupby(begins.cumsum()).agg(
+    is_new_run = has_gap | (segments.source != previous.source)
+    runs = segments.groupby(is_new_run.cumsum()).agg(
         shortest_reliable=("shortest_nm", "last"),
         longest_reliable=("longest_nm", "first"),
         notes=("source", "first"),
@@ -129,7 +129,10 @@ def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
 
 
 def stack_spectra(spectra: Mapping[str, xr.Dataset], labels: Mapping[str, str]) -> xr.Dataset:
-    """Stack the joined spectra of all surfaces, with labels and END_ATTRIBUTE_UNITS by surface."""
+    """Stack the joined spectra of all surfaces, with labels and END_ATTRIBUTE_UNITS by surface.
+
+    Surfaces with fewer measurements than others get empty ones.
+    """
     numbered = [
         spectrum.drop_attrs(deep=False).assign_coords(
             measurement=range(spectrum.sizes["measurement"])
@@ -140,11 +143,11 @@ def stack_spectra(spectra: Mapping[str, xr.Dataset], labels: Mapping[str, str]) 
         name: {"U": "", "O": "", "i": 0}.get(values.dtype.kind, np.nan)
         for name, values in numbered[0].data_vars.items()
     }
-    names = pd.Index(list(spectra), name="surface")
+    surfaces = pd.Index(list(spectra), name="surface")
     table = xr.concat(
-        numbered, names, join="outer", fill_value=fill, combine_attrs="override"
+        numbered, surfaces, join="outer", fill_value=fill, combine_attrs="override"
     ).drop_vars("measurement")
     for name, unit in END_ATTRIBUTE_UNITS.items():
         ends = [spectrum.attrs[name] for spectrum in spectra.values()]
         table[name] = ("surface", ends, {"units": unit} if unit else {})
-    return table.assign(label=("surface", [labels[name] for name in spectra]))
+    return table.assign(label=("surface", [labels[surface] for surface in surfaces]))
