@@ -28,7 +28,7 @@ def refuse_unreliable(scans: Sequence[UserScan]) -> None:
     """Refuse surfaces with too few reliable wavelengths, and name the defects of their scans."""
     faults = []
     for surface, surface_scans in scans_by_surface(scans).items():
-        bin_count = int(np.any([scan.reliable_band.bins for scan in surface_scans], axis=0).sum())
+        bin_count = int(np.any([scan.reliable_band.mask for scan in surface_scans], axis=0).sum())
         if bin_count < MIN_BINS:
             bands = "; ".join(f"{scan.name} {scan.reliable_band}" for scan in surface_scans)
             message = too_few_bins_message("scans", bin_count, bands)
@@ -139,7 +139,7 @@ def _contradiction_cautions(scans: Sequence[UserScan]) -> Iterator[str]:
     for surface_scans in scans_by_surface(scans).values():
         contradictions = find_contradictions(
             np.array([scan.density for scan in surface_scans]),
-            [scan.reliable_band.bins for scan in surface_scans],
+            [scan.reliable_band.mask for scan in surface_scans],
             [scan.kind for scan in surface_scans],
             [scan.size for scan in surface_scans],
         )

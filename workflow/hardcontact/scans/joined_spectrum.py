@@ -111,27 +111,28 @@ def smooth_curve(
     mean is a smoothing spline (Wahba, J. R. Stat. Soc. B 40 (1978) 364).
     """
     finite = np.flatnonzero(np.isfinite(density))
-    bins = slice(finite[0], finite[-1] + 1)
-    weight = np.where(np.isfinite(density), 1 / variance, 0.0)[bins]
+    measured_range = slice(finite[0], finite[-1] + 1)
+    weight = np.where(np.isfinite(density), 1 / variance, 0.0)[measured_range]
     count = len(weight)
     slope_change = SLOPE_CHANGE * np.sqrt(BIN_WIDTH / np.log(10))  # from bin to bin
     bends = np.diff(np.eye(count), n=2, axis=0) / (BIN_WIDTH * slope_change)
-    posterior = np.linalg.inv(np.diag(weight) + bends.T @ bends)
-    logs = np.log(np.where(weight > 0, density[bins], 1.0))
-    curve = np.zeros(count)
+    covariance = np.linalg.inv(np.diag(weight) + bends.T @ bends)
+    logs = np.log(np.where(weight > 0, density[measured_range], 1.0))
+    prior = np.zeros(count)
     if rng is not None:  # A prior sample, plus the posterior mean of its distance to the data.
-        curve = BIN_WIDTH * np.cumsum(np.cumsum(slope_change * rng.standard_normal(count)))
-        noise = np.where(weight > 0, np.sqrt(variance[bins]), 0.0)
-        logs = logs - curve - noise * rng.standard_normal(count)
-    smooth = curve + posterior @ (weight * logs)
-    return _Curve(BIN_CENTRES[bins], np.exp(smooth), np.diag(posterior) + CALIBRATION_SCATTER**2)
+        prior = BIN_WIDTH * np.cumsum(np.cumsum(slope_change * rng.standard_normal(count)))
+        noise = np.where(weight > 0, np.sqrt(variance[measured_range]), 0.0)
+        logs = logs - prior - noise * rng.standard_normal(count)
+    smooth = np.exp(prior + covariance @ (weight * logs))
+    return _Curve(BIN_CENTRES[measured_range], smooth, np.diag(covariance) + CALIBRATION_SCATTER**2)
 
 
-def _smooth_curve_without_peaks(bins: _MeanBins, rng: np.random.Generator | None = None) -> _Curve:
+def _smooth_between_peaks(mean_bins: _MeanBins, rng: np.random.Generator | None = None) -> _Curve:
     """Return a smooth curve through the bins without a peak; peaks keep their power."""
-    curve = smooth_curve(np.where(bins.is_peak, np.nan, bins.density), bins.variance, rng)
+    is_peak = mean_bins.is_peak
+    curve = smooth_curve(np.where(is_peak, np.nan, mean_bins.density), mean_bins.variance, rng)
     is_in_curve = np.isin(BIN_CENTRES, curve.wavevector)
-    density = np.where(bins.is_peak[is_in_curve], bins.power[is_in_curve], curve.density)
+    density = np.where(is_peak[is_in_curve], mean_bins.power[is_in_curve], curve.density)
     return curve._replace(density=density)
 
 
@@ -158,7 +159,7 @@ def _match_height_variance(curve: _Curve, power: Floats) -> _Curve:
 class _MeasuredSpectra(NamedTuple):
     """The spectra of the scans of a surface."""
 
-    radii: Sequence[float | None]  #: Radii of the tips in nm; None if unknown.
+    tip_radii: Sequence[float | None]  #: In nm, from the user or the file; None if unknown.
     densities: Floats  #: (scan, bins) C_iso in nm⁴, NaN in empty bins.
     modes: Floats  #: (scan, bins) numbers of independent modes.
     bands: Sequence[ReliableBand]
@@ -167,19 +168,19 @@ class _MeasuredSpectra(NamedTuple):
 
 def _reliable_mask(densities: Floats, bands: Sequence[ReliableBand]) -> NDArray[np.bool_]:
     """Return the mask (scan, bins) of nonempty bins within the reliable band of each scan."""
-    return np.array([band.bins for band in bands]) & np.isfinite(densities)
+    return np.array([band.mask for band in bands]) & np.isfinite(densities)
 
 
 def _measured_spectra(
-    scans: Sequence[HeightMap], tip_radii: Sequence[float | None]
+    scans: Sequence[HeightMap], given_tip_radii: Sequence[float | None]
 ) -> _MeasuredSpectra:
-    """Return the spectra of scans; raises ValueError if fewer than MIN_BINS are reliable."""
-    radii = [
-        scan.tip_radius if radius is None else radius
-        for scan, radius in zip(scans, tip_radii, strict=True)
+    """Return the spectra of scans; raises ValueError if fewer than MIN_BINS bins are reliable."""
+    tip_radii = [
+        scan.tip_radius if given_radius is None else given_radius
+        for scan, given_radius in zip(scans, given_tip_radii, strict=True)
     ]
     densities = np.array([isotropic_psd(scan) for scan in scans])
-    bands = [reliable_band(*row) for row in zip(scans, radii, densities, strict=True)]
+    bands = [reliable_band(*row) for row in zip(scans, tip_radii, densities, strict=True)]
     modes = np.array([independent_modes(scan.kind, scan.size) for scan in scans])
     rolloff_evidence = RolloffEvidence(scans, densities, bands)
     count = int(_reliable_mask(densities, bands).any(axis=0).sum())
@@ -188,31 +189,31 @@ def _measured_spectra(
         is_too_large = min(band.shortest for band in bands) > 2 * np.pi / BIN_CENTRES[0]
         remedy = ": is the unit of length right?" if is_too_large else ""
         raise ValueError(too_few_bins_message("measurements", count, listing) + remedy)
-    return _MeasuredSpectra(radii, densities, modes, bands, rolloff_evidence)
+    return _MeasuredSpectra(tip_radii, densities, modes, bands, rolloff_evidence)
 
 
 def joined_spectrum(scans: Sequence[HeightMap], tip_radii: Sequence[float | None]) -> xr.Dataset:
     """Return the spectrum of a surface, joined from levelled scans at their reliable wavelengths.
 
-    If a tip radius is None, the file may state one. ``spectrum`` (wavevector) has all scales;
+    If a tip radius (nm) is None, the file may state one. ``spectrum`` (wavevector) has all scales;
     ``joined_psd`` (bin_wavevector) is NaN in unreliable bins. Raises ValueError, in one line, if
     fewer than MIN_BINS bins are reliable.
     """
     measured = _measured_spectra(scans, tip_radii)
     reliable = _reliable_mask(measured.densities, measured.bands)
-    bins = _mean_bins(reliable, measured.densities, measured.modes)
-    curve = _match_height_variance(_smooth_curve_without_peaks(bins), bins.power)
-    mean_density = Spectrum(curve.wavevector, curve.density)(BIN_CENTRES)
-    joined_density = np.where(reliable.any(axis=0), mean_density, np.nan)
-    hurst = _fit_hurst_without_peaks(bins)
-    density, tail, rolloff = _extrapolate_curve(curve, hurst, measured.rolloff_evidence)
+    mean_bins = _mean_bins(reliable, measured.densities, measured.modes)
+    curve = _match_height_variance(_smooth_between_peaks(mean_bins), mean_bins.power)
+    curve_density = Spectrum(curve.wavevector, curve.density)(BIN_CENTRES)
+    joined_density = np.where(reliable.any(axis=0), curve_density, np.nan)
+    fit = _fit_hurst_without_peaks(mean_bins)
+    density, tail, rolloff = _extrapolate_curve(curve, fit, measured.rolloff_evidence)
     used_bands = [band for band, mask in zip(measured.bands, reliable, strict=True) if mask.any()]
     return add_measurements(
         spectrum_dataset(density),
         joined_density,
         measured.densities,
         reliable,
-        scan_properties(scans, measured.radii, measured.bands),
+        scan_properties(scans, measured.tip_radii, measured.bands),
     ).assign_attrs(
         source="measured",
         table1_rows_met="",
@@ -229,12 +230,12 @@ def sample_spectra(
     scans: Sequence[HeightMap],
     tip_radii: Sequence[float | None],
 ) -> Iterator[tuple[Spectrum, Floats]]:
-    """Yield spectra within the uncertainty of scans, and factors (scan,) to their true heights."""
+    """Yield spectra within the uncertainty of scans, and true over measured heights (scan,)."""
     measured = _measured_spectra(scans, tip_radii)
     for rng in rngs:
         bands = [
             _sample_reliable_band(rng, *properties)
-            for properties in zip(scans, measured.radii, measured.bands, strict=True)
+            for properties in zip(scans, measured.tip_radii, measured.bands, strict=True)
         ]
         reliable = _reliable_mask(measured.densities, bands)
         # A blunt tip may leave too few bins: then the sampled tips limit no scan of this sample.
@@ -245,42 +246,40 @@ def sample_spectra(
         # extrapolation.
         mean_log = log_power_factors.mean()
         densities = measured.densities * np.exp(log_power_factors - mean_log)[:, None]
-        bins = _mean_bins(reliable, densities, measured.modes)
-        curve = _smooth_curve_without_peaks(bins, rng)
-        hurst = _fit_hurst_without_peaks(bins)
-        hurst_deviation = hurst.error * rng.standard_normal()
+        mean_bins = _mean_bins(reliable, densities, measured.modes)
+        curve = _smooth_between_peaks(mean_bins, rng)
+        fit = _fit_hurst_without_peaks(mean_bins)
+        hurst_deviation = fit.error * rng.standard_normal()
         density, *_ = _extrapolate_curve(
-            curve, hurst, measured.rolloff_evidence, rng.uniform(), hurst_deviation
+            curve, fit, measured.rolloff_evidence, rng.uniform(), hurst_deviation
         )
         yield Spectrum(WAVEVECTORS, density * np.exp(mean_log)), np.exp(log_power_factors / 2)
 
 
 def _sample_reliable_band(
-    rng: np.random.Generator, scan: HeightMap, radius: float | None, band: ReliableBand
+    rng: np.random.Generator, scan: HeightMap, tip_radius: float | None, band: ReliableBand
 ) -> ReliableBand:
     """Return the reliable band of a scan; an unknown tip of a map gets a sampled radius."""
-    if radius is not None or scan.kind != "map":
+    if tip_radius is not None or scan.kind != "map":
         return band
-    tip_radius = float(np.exp(rng.uniform(*np.log(UNKNOWN_TIP_RADII))))
-    return limit_by_tip(band, scan, tip_radius)
+    return limit_by_tip(band, scan, float(np.exp(rng.uniform(*np.log(UNKNOWN_TIP_RADII)))))
 
 
-def _fit_hurst_without_peaks(bins: _MeanBins) -> HurstFit:
-    is_fitted = np.isfinite(bins.density) & ~bins.is_peak
-    return fit_hurst_exponent(
-        BIN_CENTRES[is_fitted], bins.density[is_fitted], bins.variance[is_fitted]
-    )
+def _fit_hurst_without_peaks(mean_bins: _MeanBins) -> HurstFit:
+    density, variance, _, is_peak = mean_bins
+    is_fitted = np.isfinite(density) & ~is_peak
+    return fit_hurst_exponent(BIN_CENTRES[is_fitted], density[is_fitted], variance[is_fitted])
 
 
 def _extrapolate_curve(
     curve: _Curve,
-    hurst: HurstFit,
+    fit: HurstFit,
     rolloff_evidence: RolloffEvidence,
     rolloff_probability: float = 0.5,
     hurst_deviation: float = 0.0,
 ) -> tuple[Floats, Tail, float]:
     """Return C_iso (nm⁴) on WAVEVECTORS, extrapolated from a curve, its tail and roll-off (nm)."""
-    density, tail = extrapolate_short_waves(curve.wavevector, curve.density, hurst, hurst_deviation)
+    density, tail = extrapolate_short_waves(curve.wavevector, curve.density, fit, hurst_deviation)
     slopes, _ = local_slopes(*curve)
     slope = float(slopes[0])
     longest = float(2 * np.pi / curve.wavevector[0])
@@ -297,7 +296,7 @@ class ScanSpectrum(Spectrum):
     is_extrapolated: bool  #: Whether C_iso continues beyond the reliable wavelengths.
 
     def extrapolated(self) -> "ScanSpectrum":
-        """Return C_iso extrapolated beyond the reliable wavelengths, as in spectra of masters."""
+        """Return C_iso extrapolated beyond the reliable wavelengths."""
         spectrum = spectrum_of_dataset(self.joined_dataset)
         return replace(self, **vars(spectrum), is_extrapolated=True)
 

@@ -6,7 +6,7 @@ longest of four: four pixels, the cutoff of the tip (Sanner et al., Appl. Surf. 
 
 - A noise floor is flatter than q^-2 (H = 0).
 - Smoothing is steeper than q^-5, the limit for surfaces with facets. If C_1D differs between the
-  axes, it is steeper than q^-4 (H = 1), because a lagging feedback smooths along scan lines alone.
+  axes, the limit is q^-4 (H = 1), because a lagging feedback smooths along scan lines alone.
 - Slopes near a peak, such as a grating's, prove neither.
 """
 
@@ -40,7 +40,7 @@ STEEPEST_FACET_SLOPE = -5.0
 MIN_STANDARD_ERRORS = 2
 #: Largest ratio of C_1D along both axes of a map that shows no smoothing.
 MAX_AXIS_RATIO = 2.0
-#: Bins beside a noise floor that also hold much noise: C ~ q^-3 is four times as high two bins on.
+#: Bins before a noise floor that also hold much noise: C ~ q^-3 falls fourfold in two bins.
 NOISE_MARGIN_BINS = 2
 #: Least factor, and number of standard errors, by which C_iso rises toward short waves at a peak.
 MIN_PEAK_RISE = 2.0
@@ -67,7 +67,7 @@ class ReliableBand(NamedTuple):
     limited_by: str  #: Limit at short wavelengths, a code of LIMIT_NAMES.
 
     @property
-    def bins(self) -> NDArray[np.bool_]:
+    def mask(self) -> NDArray[np.bool_]:
         """Mask (bins,) of the bins of a measured spectrum within the band."""
         wavelength = 2 * np.pi / BIN_CENTRES
         return (self.shortest <= wavelength) & (wavelength <= self.longest)
@@ -82,7 +82,7 @@ class ReliableBand(NamedTuple):
 
 
 def reliable_band(scan: HeightMap, tip_radius: float | None, density: Floats) -> ReliableBand:
-    """Return the reliable wavelengths of a scan with C_iso `density` (bins,)."""
+    """Return the reliable wavelengths of a scan with C_iso `density` (bins,) in nm⁴."""
     pixel_end = MIN_PIXELS * scan.pixel_size, "pixels"
     shortest, limit = max([pixel_end, *_spectral_ends(scan, density)])
     band = ReliableBand(shortest, scan.size / MIN_WAVES_IN_SIZE, limited_by=limit)
@@ -120,7 +120,7 @@ def _spectral_ends(scan: HeightMap, density: Floats) -> list[tuple[float, str]]:
     ends = []
     if has_floor:
         ends.append((_end_wavelength(q, above_floor_count), "noise"))
-    if reliable_count < above_floor_count or (unsmoothed_count < len(q) and not has_floor):
+    if reliable_count < (above_floor_count if has_floor else len(q)):
         ends.append((_end_wavelength(q, reliable_count), "smoothing"))
     return ends
 
@@ -141,7 +141,7 @@ def _find_bins_near_peaks(log_density: Floats, variance: Floats) -> NDArray[np.b
 
 def _count_unsmoothed(is_smoothed: NDArray[np.bool_], count: int) -> int:
     """Count the leading bins, at most `count`, whose last half decade shows no smoothing."""
-    # Between smoothing and noise the slope passes through the slopes of rough surfaces.
+    # Half a decade, because between smoothing and noise slopes pass those of rough surfaces.
     while is_smoothed[max(count - HALF_DECADE_BINS, 0) : count].any():
         start = max(count - HALF_DECADE_BINS, 0)
         count = start + int(np.argmax(is_smoothed[start:count]))
@@ -157,7 +157,7 @@ def _count_above_floor(is_flat: NDArray[np.bool_], count: int) -> int:
 
 
 def _end_wavelength(wavevector: Floats, count: int) -> float:
-    """Return the wavelength in nm between the leading `count` bins and the next bin."""
+    """Return the wavelength (nm) at the end of `count` leading bins; of the first bin for 0."""
     if count == 0:
         return float(2 * np.pi / wavevector[0])
     return float(2 * np.pi / np.sqrt(wavevector[count - 1] * wavevector[count]))
