@@ -36,15 +36,15 @@ MAX_GRADIENT = 1.45
 MAX_HALF_LAPLACIAN = 7.52
 #: The shortest wave of a row of atoms in nm: two bonds of diamond, 0.154 nm each.
 ATOMIC_WAVELENGTH = 0.3
-#: Fewest decades to which the Hurst exponent is fitted: five bins.
+#: Fewest decades from which a Hurst exponent is known: those of five bins, less rounding.
 MIN_FITTED_DECADES = 0.39
 #: Sharpness s of a roll-off at q_r, from gradual to sharp: C_iso ~ (1 + (q/q_r)^2s)^(-(1 + H)/s).
 SHARPNESS = (1.0, 2.0, 4.0)
 #: Bounds of the fitted roll-off: factors on the lowest and the highest wavevector. Below, the fit
 #: is a power law; above, hardly a bin is left for the exponent.
 ROLLOFF_BOUNDS = (0.1, 0.7)
-#: Number of roll-off wavelengths compared. On a scan of 10 µm, four times as many changed the
-#: roll-off by 6 %, far less than its uncertainty, and the Hurst exponent by 0.0002.
+#: Number of roll-offs compared. On a scan of 10 µm, four times as many changed the roll-off by 6 %,
+#: far less than its uncertainty, and the Hurst exponent by 0.0002.
 ROLLOFF_COUNT = 61
 #: Standard deviation of the Hurst exponent below the wavelengths measured: surfaces are self-affine
 #: over some decades at best.
@@ -74,8 +74,8 @@ class HurstFit(NamedTuple):
 def fit_hurst_exponent(wavevector: Floats, density: Floats, variance: Floats) -> HurstFit:
     """Return the Hurst exponent of the shortest decade, or of three bins: its posterior mean.
 
-    For each roll-off and SHARPNESS, a weighted regression gives H. The prior is uniform in the
-    logarithm of the roll-off, in SHARPNESS, and in H from 0 to 1.
+    `variance` is of ln C. For each roll-off and SHARPNESS, a weighted regression gives H. The prior
+    is uniform in the logarithm of the roll-off, in SHARPNESS, and in H from 0 to 1.
     """
     is_fitted = wavevector >= wavevector[-1] / 10 * (1 - 1e-9)
     is_fitted[-MIN_BINS:] = True
@@ -84,6 +84,7 @@ def fit_hurst_exponent(wavevector: Floats, density: Floats, variance: Floats) ->
     weight = 1 / variance[is_fitted]
     rolloffs = np.geomspace(ROLLOFF_BOUNDS[0] * q[0], ROLLOFF_BOUNDS[1] * q[-1], ROLLOFF_COUNT)
     sharpness = np.array(SHARPNESS)[:, None, None]
+    # With these falls, ln C = (1 + H) fall + constant.
     falls = -np.log1p((q / rolloffs[:, None]) ** (2 * sharpness)) / sharpness
     falls = falls.reshape(-1, len(q))
     total = weight.sum()
@@ -102,24 +103,27 @@ def fit_hurst_exponent(wavevector: Floats, density: Floats, variance: Floats) ->
 def _truncated_moments(
     exponents: Floats, errors: Floats, probability: Floats
 ) -> tuple[Floats, Floats]:
-    """Return mean and variance of a mixture of normal exponents (case,), truncated to 0 to 1."""
+    """Return mean and variance of a mixture of normal exponents (case,), truncated to 0 to 1.
+
+    With less than MIN_TRUNCATED_PROBABILITY within 0 to 1, the mean is clipped.
+    """
     low, high = -exponents / errors, (1 - exponents) / errors
-    truncated_share = scipy.special.ndtr(high) - scipy.special.ndtr(low)
-    total = probability @ truncated_share
+    share_within = scipy.special.ndtr(high) - scipy.special.ndtr(low)
+    total = probability @ share_within
     if total < MIN_TRUNCATED_PROBABILITY:
         mean = probability @ exponents
         return np.clip(mean, 0, 1), probability @ (errors**2 + (exponents - mean) ** 2)
-    mixture = np.array([low, high, exponents, errors, truncated_share, probability])
-    low, high, exponents, errors, truncated_share, probability = mixture[
-        :, truncated_share > NEGLIGIBLE_SHARE
+    mixture = np.array([low, high, exponents, errors, share_within, probability])
+    low, high, exponents, errors, share_within, probability = mixture[
+        :, share_within > NEGLIGIBLE_SHARE
     ]
     low_density, high_density = np.exp(-np.square([low, high]) / 2) / np.sqrt(2 * np.pi)
-    shift = (low_density - high_density) / truncated_share
+    shift = (low_density - high_density) / share_within
     means = exponents + errors * shift
     variances = errors**2 * (
-        1 + (low * low_density - high * high_density) / truncated_share - shift**2
+        1 + (low * low_density - high * high_density) / share_within - shift**2
     )
-    weight = probability * truncated_share / total
+    weight = probability * share_within / total
     mean = weight @ means
     return mean, weight @ (variances + (means - mean) ** 2)
 
@@ -141,24 +145,24 @@ class Tail(NamedTuple):
 
 
 def is_tail_known(tail: Tail) -> bool:
-    """Return True if a Hurst exponent between 0 and 1 fits five bins or more, or none is needed."""
+    """Return True if an exponent between 0 and 1 fits enough decades, or there is no tail."""
     decades = np.log10(tail.tail_fit_longest / tail.tail_fit_shortest)
     is_physical = 0 < tail.tail_hurst < 1
     return bool(np.isnan(tail.tail_hurst) or (is_physical and decades >= MIN_FITTED_DECADES))
 
 
 def extrapolate_short_waves(
-    wavevector: Floats, density: Floats, hurst: HurstFit, deviation: float = 0.0
+    wavevector: Floats, density: Floats, fit: HurstFit, hurst_deviation: float = 0.0
 ) -> tuple[Floats, Tail]:
     """Return C_iso (nm⁴) on WAVEVECTORS from at least three measured points, and its tail."""
     # The highest measured wavevector may exceed the highest of WAVEVECTORS by rounding.
-    table = Spectrum(wavevector, density)(np.minimum(WAVEVECTORS, wavevector[-1]))
-    measured_density = np.where(wavevector[-1] * (1 + 1e-9) >= WAVEVECTORS, table, 0.0)
-    exponent = float(np.clip(hurst.exponent + deviation, 0, 1))
-    # The tail starts at the log-mean of the points of highest wavevector, moved along the tail.
-    relative = wavevector[-MIN_BINS:] / wavevector[-1]
+    interpolated = Spectrum(wavevector, density)(np.minimum(WAVEVECTORS, wavevector[-1]))
+    measured_density = np.where(wavevector[-1] * (1 + 1e-9) >= WAVEVECTORS, interpolated, 0.0)
+    exponent = float(np.clip(fit.exponent + hurst_deviation, 0, 1))
+    # The tail starts at the geometric mean of the last MIN_BINS points, all moved along the tail.
+    relative_wavevector = wavevector[-MIN_BINS:] / wavevector[-1]
     fall = 2 + 2 * exponent
-    start_density = np.exp(np.mean(np.log(density[-MIN_BINS:] * relative**fall)))
+    start_density = np.exp(np.mean(np.log(density[-MIN_BINS:] * relative_wavevector**fall)))
     last_index = measured_density.nonzero()[0][-1]
     tail_start = measured_density.copy()
     tail_start[last_index] = start_density * (WAVEVECTORS[last_index] / wavevector[-1]) ** -fall
@@ -167,7 +171,7 @@ def extrapolate_short_waves(
     spectrum = np.where(np.arange(len(WAVEVECTORS)) <= max(end_index, last_index), spectrum, 0.0)
     if end_index <= last_index:
         return spectrum, Tail(tail_ended_by=ended_by)
-    return spectrum, Tail(exponent, hurst.error, hurst.shortest, hurst.longest, ended_by)
+    return spectrum, Tail(exponent, fit.error, fit.shortest, fit.longest, ended_by)
 
 
 def _find_tail_end(density: Floats) -> tuple[int, TailEnd]:
@@ -190,7 +194,7 @@ def _find_tail_end(density: Floats) -> tuple[int, TailEnd]:
 
 
 def extrapolate_long_waves(density: Floats, longest: float, slope: float, rolloff: float) -> Floats:
-    """Return C_iso rising by a slope d ln C/d ln q from the longest wavelength to the roll-off."""
+    """Return C_iso with a slope d ln C/d ln q, of -4 to 0, from `longest` (nm) to the roll-off."""
     relative = np.maximum(2 * np.pi / WAVEVECTORS / longest, 1.0)
     exponent = -np.clip(slope, STEEPEST_SELF_AFFINE_SLOPE, 0.0)
     return np.asarray(density * np.minimum(relative, max(rolloff / longest, 1.0)) ** exponent)
@@ -222,13 +226,13 @@ class RolloffEvidence:
         self.size = widest_scans[0].size
         self.scan_count = len(widest_scans)
         #: The mean variance of the levelled heights in nm².
-        self.variance = float(np.mean([level_plane(scan).heights.T.var() for scan in widest_scans]))
+        self.variance = float(np.mean([level_plane(scan).heights.var() for scan in widest_scans]))
         self._measured_density = np.nan_to_num(densities[is_widest]).mean(axis=0)
         shortest = min(band.shortest for band in bands if band.longest == longest)
         self._is_unreliable = 2 * np.pi / BIN_CENTRES < shortest
         self._share_after_levelling = share_after_levelling(WAVEVECTORS, self.size, kind)
-        # Independent modes per ln q: q²L²/4π in a map, qL/2π along a line, and 1 for waves longer
-        # than the scan, which appear as a bow.
+        # Independent modes per ln q: q²L²/4π in a map, qL/2π along a line, but at least 1, because
+        # waves longer than the scan appear as a bow.
         waves = WAVEVECTORS * self.size / (2 * np.pi)
         self._mode_count = np.maximum(waves if kind == "line scan" else np.pi * waves**2, 1)
 
