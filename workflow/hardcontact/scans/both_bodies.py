@@ -27,15 +27,15 @@ HALF_BIN_RATIO = 10**0.05
 
 
 def combine_maps(rng: np.random.Generator, substrate: HeightMap, sphere: HeightMap) -> HeightMap:
-    """Return the mirrored map of a mirrored substrate plus a mirrored sphere, shifted at random."""
+    """Return the mirrored sum of a mirrored substrate and a mirrored sphere, shifted at random."""
     sphere_pixels = round(sphere.size / substrate.pixel_size)
     if sphere_pixels < sphere.pixels:  # Larger pixels cannot show waves below two of them.
         sphere = lowpass(sphere, sphere.size / (sphere_pixels // 2 - 1))
-    roughness = interpolate(sphere, sphere_pixels).heights
+    sphere_heights = interpolate(sphere, sphere_pixels).heights
     pixels = substrate.pixels // 2
-    rows, columns = (start + np.arange(pixels) for start in rng.integers(len(roughness), size=2))
-    sphere_heights = roughness[np.ix_(rows % len(roughness), columns % len(roughness))]
-    heights = substrate.heights[:pixels, :pixels] + sphere_heights
+    starts = rng.integers(sphere_pixels, size=(2, 1))
+    rows, columns = (starts + np.arange(pixels)) % sphere_pixels
+    heights = substrate.heights[:pixels, :pixels] + sphere_heights[np.ix_(rows, columns)]
     return mirror_in_float32(replace(substrate, heights=heights))
 
 
@@ -43,9 +43,9 @@ def combine_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
     """Return the sum of joined spectra; measurements stay reliable where their body dominates."""
     substrate_density = spectrum_of_dataset(substrate)(BIN_CENTRES)
     sphere_density = spectrum_of_dataset(sphere)(BIN_CENTRES)
-    total = substrate_density + sphere_density
+    density = substrate_density + sphere_density
     with np.errstate(invalid="ignore"):
-        share = sphere_density / total
+        share = sphere_density / density
     is_sphere = sphere_density > substrate_density
     measurements = xr.concat(
         [_limit_to_dominant(substrate, ~is_sphere), _limit_to_dominant(sphere, is_sphere)],
@@ -62,7 +62,7 @@ def combine_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
     longest = float(reliable_measurements["longest_reliable"].max())
     short_body = sphere if is_sphere[nearest_bin(shortest)] else substrate
     long_body = sphere if is_sphere[nearest_bin(longest)] else substrate
-    joined_psd = np.where(reliable.any(axis=0), total, np.nan)
+    joined_psd = np.where(reliable.any(axis=0), density, np.nan)
     return measurements.assign(
         spectrum=_sum_of_spectra(substrate, sphere),
         joined_psd=substrate["joined_psd"].copy(data=joined_psd),
@@ -79,17 +79,18 @@ def _limit_to_dominant(body: xr.Dataset, is_dominant: NDArray[np.bool_]) -> xr.D
     """Return the spectrum of a body, its measurements reliable only where the body dominates."""
     was_reliable = body["reliable"].values == 1
     reliable = was_reliable & is_dominant
-    wavelength = 2 * np.pi / BIN_CENTRES
-    shortest, longest = (body[f"{end}_reliable"].values.copy() for end in ("shortest", "longest"))
+    bin_wavelengths = 2 * np.pi / BIN_CENTRES
+    shortest = body["shortest_reliable"].values.copy()
+    longest = body["longest_reliable"].values.copy()
     limits = body["limited_by"].values.astype(object)
     for index in np.flatnonzero((reliable != was_reliable).any(axis=1)):
-        band = wavelength[reliable[index]]
+        wavelengths = bin_wavelengths[reliable[index]]
         # `limited_by` is what hides waves shorter than the reliable ones.
-        if not band.size or band.min() > wavelength[was_reliable[index]].min():
+        if not wavelengths.size or wavelengths.min() > bin_wavelengths[was_reliable[index]].min():
             limits[index] = OTHER_BODY
-        if band.size:
-            shortest[index] = max(shortest[index], band.min() / HALF_BIN_RATIO)
-            longest[index] = min(longest[index], band.max() * HALF_BIN_RATIO)
+        if wavelengths.size:
+            shortest[index] = max(shortest[index], wavelengths.min() / HALF_BIN_RATIO)
+            longest[index] = min(longest[index], wavelengths.max() * HALF_BIN_RATIO)
     return body.assign(
         reliable=body["reliable"].copy(data=reliable.astype("int8")),
         shortest_reliable=body["shortest_reliable"].copy(data=shortest),
@@ -102,9 +103,8 @@ def sphere_share(spectra: xr.Dataset, wavelength: float) -> float:
     """Return the sphere's share of the power at a wavelength (nm); NaN for a smooth sphere."""
     if "sphere_share" not in spectra:
         return np.nan
-    wavevector = np.log(spectra["bin_wavevector"].values)
-    shares = spectra["sphere_share"].values
-    return float(np.interp(np.log(2 * np.pi / wavelength), wavevector, shares))
+    log_wavevector = np.log(spectra["bin_wavevector"])
+    return float(np.interp(np.log(2 * np.pi / wavelength), log_wavevector, spectra["sphere_share"]))
 
 
 def combine_sampled_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:

@@ -1,7 +1,7 @@
 """C_iso of one scan, a map or a line scan, with the number of independent modes and local slopes.
 
-A line scan has C_1D alone, of which an inverse Abel transform is C_iso (Bracewell, The Fourier
-Transform and Its Applications). `surfaces.spectrum` defines both.
+A line scan gives C_1D alone. Its inverse Abel transform is C_iso (Bracewell, The Fourier Transform
+and Its Applications). `surfaces.spectrum` defines both.
 """
 
 from dataclasses import replace
@@ -46,7 +46,7 @@ def isotropic_psd(scan: HeightMap) -> Floats:
 
 
 def axis_ratio(scan: HeightMap) -> Floats:
-    """Return the ratio (bins,), at least 1, of C_1D along both axes of a map; 1 for a line scan."""
+    """Return the ratio (bins,), at least 1, of C_1D along both axes; 1 where one is missing."""
     if scan.kind == "line scan":
         return np.ones(len(BIN_CENTRES))
     levelled = level_plane(scan)
@@ -58,7 +58,7 @@ def axis_ratio(scan: HeightMap) -> Floats:
 
 def independent_modes(kind: str, size: float) -> Floats:
     """Return the number of independent modes in each bin of the PSD of a map or line scan."""
-    # One of each pair ±q counts. A bin has at least the share of a single wave.
+    # One of each pair ±q counts. A bin has at least the independent share of one wave.
     if kind == "map":
         count = np.pi / 2 * np.diff(BIN_EDGES**2) * (INDEPENDENT_SHARE * size / (2 * np.pi)) ** 2
     else:
@@ -82,7 +82,7 @@ def bias_of_log(modes: Floats) -> Floats:
 def local_slopes(wavevector: Floats, density: Floats, variance: Floats) -> tuple[Floats, Floats]:
     """Return d ln C / d ln q of a spectrum, fitted to half a decade around each bin, and its error.
 
-    `variance` is of ln C. A single bin has the slope NaN and an infinite error.
+    `variance` is of ln C. A bin without neighbours has the slope NaN and an infinite error.
     """
     distance = np.log(wavevector) - np.log(wavevector)[:, None]
     is_near = np.abs(distance) <= SLOPE_HALF_WIDTH
@@ -113,7 +113,7 @@ def isotropic_from_profile(wavevector: Floats, profile_density: Floats, modes: F
 def _smooth_falling_spectrum(
     log_q: Floats, log_density: Floats, modes: Floats
 ) -> tuple[Floats, float]:
-    """Return ln C smoothed by local lines and falling (bins,), and its slope at the end."""
+    """Return ln C (bins,) smoothed by local lines and falling, and the slope of the last line."""
     distance = log_q - log_q[:, None]
     width = SMOOTHING_WIDTH * np.clip(ENOUGH_MODES / modes, 1, MAX_WIDENING)
     weight = modes * np.exp(-((distance / width[:, None]) ** 2) / 2)
@@ -122,8 +122,8 @@ def _smooth_falling_spectrum(
     mean = weight @ log_density
     variance = (weight * distance**2).sum(axis=1) - centre**2
     slope = ((weight * distance) @ log_density - centre * mean) / variance
-    lines = mean - slope * centre
-    falling = scipy.optimize.isotonic_regression(lines, weights=modes, increasing=False)
+    smooth = mean - slope * centre
+    falling = scipy.optimize.isotonic_regression(smooth, weights=modes, increasing=False)
     return np.asarray(falling.x), float(slope[-1])
 
 
