@@ -1,4 +1,4 @@
-"""`hardcontact predict` evaluates the closed form for tables, and names their faults."""
+"""`hardcontact predict` on tables of spectra: their faults, its numbers and its options."""
 
 import json
 import os
@@ -49,7 +49,7 @@ def test_a_table_may_have_any_units_order_and_zeros(write_table):
     profile = 1e-2 * wavevector**-2.6
     rows = [f"{q:.17g},rad/nm,{c:.17g},nm3" for q, c in zip(wavevector, profile, strict=True)]
     spectrum = read_spectrum_table(write_table("wavevector,wavevector_unit,c_1d,c_1d_unit", *rows))
-    isotropic_density = isotropic_from_profile(wavevector, profile, np.full(9, 20.0))
+    isotropic_density = isotropic_from_profile(wavevector, profile, modes=np.full(9, 20.0))
     assert spectrum.density == pytest.approx(isotropic_density)
 
 
@@ -85,7 +85,7 @@ def test_faulty_options_are_reported_with_the_faults_of_the_table(tmp_path):
     missing_file = str(tmp_path / "none.csv")
     for options, message_parts in (
         (["--range", "5", "--work", "1 nm"], ["--range", "--work"]),
-        # A contact wider than the attraction of a smooth sphere.
+        # A contact wider than the attraction of a smooth sphere, 2 pi R rho: 880 uN at 100 MPa.
         (["--preload", "10mN", "--hardness", "100MPa"], ["--preload: expected less than 880 µN"]),
         # Both are suspected: the hardness was meant to be in GPa.
         (["--hardness", "25kPa"], ["like a smooth sphere; --hardness 25kPa: is the unit right?"]),
@@ -159,8 +159,9 @@ def test_short_waves_missing_from_the_table_are_extrapolated(write_table):
     extrapolated_force = closed_form(Spectrum(WAVEVECTORS, density), PAPER_CONTACT).force
     assert numbers["extrapolated_force"]["value"] == pytest.approx(extrapolated_force, rel=1e-6)
     assert numbers["extrapolated_change"]["status"] == "matters"
-    for ended in ([*rows, "1,rad/nm,0,nm4"], rows_of(self_affine_spectrum(rms=17, shortest=0.1))):
-        numbers = predict_json(write_table(*ended))
+    complete_rows = rows_of(self_affine_spectrum(rms=17, shortest=0.1))
+    for table_rows in ([*rows, "1,rad/nm,0,nm4"], complete_rows):
+        numbers = predict_json(write_table(*table_rows))
         assert "extrapolated_force" not in numbers
         assert numbers["extrapolated_change"]["status"] == "negligible"
 
@@ -196,7 +197,7 @@ def test_a_compliant_sphere_has_a_large_tabor_parameter(write_table):
     """A smooth sphere has the Tabor parameter (R W²/(E*² rho³))^(1/3)."""
     path = write_table(*rows_of(self_affine_spectrum(rms=17)))
     hard, soft = (predict_json(path, "--modulus", modulus) for modulus in ("290GPa", "1MPa"))
-    number = (250e-6 * 0.0463**2 / (1e6**2 * 5.6e-9**3)) ** (1 / 3)
-    assert soft["tabor_parameter"]["value"] == pytest.approx(number, rel=1e-3)
+    tabor_parameter = (250e-6 * 0.0463**2 / (1e6**2 * 5.6e-9**3)) ** (1 / 3)
+    assert soft["tabor_parameter"]["value"] == pytest.approx(tabor_parameter, rel=1e-3)
     assert soft["tabor_parameter"]["status"] == "soft"
     assert hard["tabor_parameter"].get("status", "") != "soft"

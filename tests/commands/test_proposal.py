@@ -21,10 +21,7 @@ from hardcontact.config.limits import refuse_unfit_values
 from hardcontact.contact.contact import Contact
 from hardcontact.scans.reliable_band import ReliableBand
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.spectrum import BIN_CENTRES
-
-#: Width of a bin in ln q.
-BIN = np.log(10) / 10
+from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_WIDTH
 
 
 def density(size, pixel, rms):
@@ -32,7 +29,8 @@ def density(size, pixel, rms):
     wavelength = 2 * np.pi / BIN_CENTRES
     values = uncd_density(BIN_CENTRES)
     values[(wavelength < 2 * pixel) | (wavelength > size)] = np.nan
-    return values * (rms / np.sqrt(np.nansum(values * BIN_CENTRES**2) * BIN / (2 * np.pi))) ** 2
+    variance = np.nansum(values * BIN_CENTRES**2) * BIN_WIDTH / (2 * np.pi)
+    return values * rms**2 / variance
 
 
 def user_scan(size=2500.0, pixels=512, rms=17.0, surface="a", **others):

@@ -54,7 +54,7 @@ class QuantityOption(NamedTuple):
 
 
 def add_shared_options(parser: ArgumentParser) -> None:
-    """Add the options of both commands: quantities, and how scans are read."""
+    """Add the options of `new` and `predict`: quantities, and how scans are read."""
     for name, (key, meaning) in CONTACT_QUANTITIES.items():
         default = key_field(key).default
         parser.add_argument(f"--{name}", help=f"{meaning} (the paper's: {default})")

@@ -145,7 +145,7 @@ def numbers_as_json(numbers: Mapping[str, Number]) -> str:
 
 def _report(inputs: Inputs, numbers: Mapping[str, Number], arguments: Namespace) -> str:
     """Return the prediction in words, with quantities as the user or the paper wrote them."""
-    # Imported here: it takes as long as a prediction.
+    # Imported late, because jinja2 takes as long as a prediction.
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
     environment = Environment(
