@@ -1,4 +1,4 @@
-"""The force with the roughness of a band alone, or without all shorter or all longer waves."""
+"""The force with the waves of a band alone, or without those shorter or longer than its edges."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -20,7 +20,7 @@ BAND_PARTS = ("only the band", "no shorter waves", "no longer waves")
 
 
 def band_parts(surface: HeightMap, band: tuple[float, float]) -> list[HeightMap]:
-    """Return a periodic surface for each of BAND_PARTS; a band excludes its longest wavelength."""
+    """Return a periodic surface for each of BAND_PARTS; a band (nm) excludes its long edge."""
     series = filtered_series(surface, "short", band, surface.pixels)
     band_and_longer, longer = (waves.heights for waves in series)
     part_heights = (band_and_longer - longer, band_and_longer, surface.heights - longer)
@@ -30,7 +30,7 @@ def band_parts(surface: HeightMap, band: tuple[float, float]) -> list[HeightMap]
 def band_force_dataset(
     surface: HeightMap, bands: Mapping[str, tuple[float, float]], compute_forces: ForcesOnSurface
 ) -> xr.Dataset:
-    """Return the forces on a surface with all roughness, and with parts of it (BAND_PARTS)."""
+    """Return ``force`` with all roughness of a surface, ``band_force`` with parts of each band."""
     part_forces = [
         [compute_forces(surface_part) for surface_part in band_parts(surface, band)]
         for band in bands.values()
@@ -48,7 +48,7 @@ def band_force_dataset(
 def band_ratios(forces: xr.Dataset, scan_parts: ScanParts, confidence: float) -> xr.Dataset:
     """Return ``band_force_ratio`` (band, band_part): the force on a part relative to all roughness.
 
-    Forces, from `band_force_dataset`, are averaged over contacts and surfaces (``map``).
+    `forces` joins results of `band_force_dataset` along ``map``.
     """
     log_ratio, log_interval = log_force_ratio(
         forces["band_force"], forces["force"], scan_parts, confidence

@@ -28,7 +28,7 @@ from hardcontact.inference.mean_forces import (
 #: The label, along the dimension `group`, of the change averaged over all surfaces. The other
 #: groups are single surfaces.
 MEAN_GROUP = "mean"
-#: The dimension of a curve: the cutoffs of both sides in nm.
+#: The dimension of curves: the cutoffs of both sides in nm.
 CUTOFF = "cutoff_wavelength"
 
 
@@ -52,31 +52,32 @@ def find_edges(
 ) -> xr.Dataset:
     """Return ``edge``, ``edge_bound`` (...) in nm and ``edge_status`` of curves.
 
-    A curve is linear in the logarithm of the cutoff, and zero at its spectrum end (nm), if known.
-    An open edge is NaN and lies beyond its bound; other edges have no bound.
+    Between cutoffs, a curve is linear in the logarithm of the cutoff; it is zero at its spectrum
+    end (nm), if known. An open edge is NaN and lies beyond its bound; other edges have no bound.
     """
     lower, upper = limits
     # Variables have no labels, because aligning labels would take most of the time.
-    values: Any = curves.variable
+    changes: Any = curves.variable
     signed_cutoffs = _signed_cutoffs(curves)
-    is_outside = (values < lower) | (values > upper)
+    is_outside = (changes < lower) | (changes > upper)
     first_outside, last_inside = _first_and_last_before(signed_cutoffs, is_outside)
-    value_outside = values.where(signed_cutoffs == first_outside).max(CUTOFF)
-    value_inside = values.where(signed_cutoffs == last_inside).max(CUTOFF).fillna(0.0)
+    change_outside = changes.where(signed_cutoffs == first_outside).max(CUTOFF)
+    change_inside = changes.where(signed_cutoffs == last_inside).max(CUTOFF).fillna(0.0)
     cutoff_inside = abs(last_inside).fillna(xr.as_variable(spectrum_ends))
-    share = (value_outside.clip(lower, upper) - value_inside) / (value_outside - value_inside)
+    limit = change_outside.clip(lower, upper)
+    share = (limit - change_inside) / (change_outside - change_inside)
     edge = np.exp(np.log(cutoff_inside) + share * np.log(abs(first_outside) / cutoff_inside))
     is_open = edge.isnull()
-    bound = last_inside.fillna(first_outside).where(is_open)
-    is_short = bound > 0
+    signed_bound = last_inside.fillna(first_outside).where(is_open)
+    is_short = signed_bound > 0
     # An edge before the first cutoff is shorter on the short side and longer on the long side. An
-    # edge after the last cutoff is longer on the short side and shorter on the long side.
+    # edge after the last cutoff is the opposite.
     is_open_below = first_outside.notnull() == is_short
     open_status = np.where(is_open_below, EdgeStatus.OPEN_BELOW, EdgeStatus.OPEN_ABOVE)
     return xr.Dataset(
         {
             "edge": (edge.dims, edge.values, NM),
-            "edge_bound": (edge.dims, abs(bound).values, NM),
+            "edge_bound": (edge.dims, abs(signed_bound).values, NM),
             "edge_status": (edge.dims, np.where(is_open, open_status, EdgeStatus.FOUND)),
         },
         {dim: curves[dim] for dim in edge.dims},
@@ -84,14 +85,17 @@ def find_edges(
 
 
 def _signed_cutoffs(curves: xr.DataArray) -> Any:
-    """Return the cutoffs of curves, negative on the long side: they grow with what is removed."""
+    """Return the cutoffs (nm) of curves, negative on the long side, so that larger remove more."""
     is_short = curves["side"].variable == "short"
     cutoffs: Any = curves[CUTOFF].variable * (2 * is_short - 1)
     return cutoffs.where(curves.variable.notnull()).transpose(*curves.dims)
 
 
 def _first_and_last_before(signed_cutoffs: Any, mask: Any) -> tuple[Any, Any]:
-    """Return the first signed cutoff (...) at which a mask is true, or NaN, and the last before."""
+    """Return the first signed cutoff (...) at which a mask is true, and the last before it.
+
+    Without a true value, the first is NaN, and the last that of the curve.
+    """
     first = signed_cutoffs.where(mask).min(CUTOFF)
     return first, signed_cutoffs.where(~(signed_cutoffs >= first)).max(CUTOFF)
 
@@ -99,22 +103,24 @@ def _first_and_last_before(signed_cutoffs: Any, mask: Any) -> tuple[Any, Any]:
 def edge_intervals(
     curves: xr.DataArray, lowest: xr.DataArray, highest: xr.DataArray, limits: tuple[float, float]
 ) -> xr.Variable:
-    """Return the cutoffs (..., end) in nm between which edges lie, NaN where there is no such end.
+    """Return the cutoffs (..., end) in nm between which edges lie.
 
     Intervals of curves reach from `lowest` to `highest`. The ends are the last cutoff before an
-    interval reaches beyond the limits, and the first cutoff with an interval wholly outside.
+    interval reaches beyond the limits, and the first cutoff with an interval wholly outside; NaN
+    without such a cutoff, or if an interval is missing.
     """
     lower, upper = limits
     low, high = lowest.variable, highest.variable
     signed_cutoffs = _signed_cutoffs(curves)
-    is_known = ((low.notnull() & high.notnull()) | signed_cutoffs.isnull()).all(CUTOFF)
-    signed_cutoffs = signed_cutoffs.where(is_known)
-    _, surely_inside = _first_and_last_before(signed_cutoffs, (low < lower) | (high > upper))
-    surely_outside, before = _first_and_last_before(signed_cutoffs, (high < lower) | (low > upper))
-    surely_outside = surely_outside.where(before.notnull())
+    is_complete = ((low.notnull() & high.notnull()) | signed_cutoffs.isnull()).all(CUTOFF)
+    signed_cutoffs = signed_cutoffs.where(is_complete)
+    _, last_inside = _first_and_last_before(signed_cutoffs, (low < lower) | (high > upper))
+    first_outside, before = _first_and_last_before(signed_cutoffs, (high < lower) | (low > upper))
+    # An edge before the first cutoff has no interval.
+    first_outside = first_outside.where(before.notnull())
     is_short = curves["side"].variable == "short"
-    shorter = surely_inside.where(is_short, surely_outside)
-    longer = surely_outside.where(is_short, surely_inside)
+    shorter = last_inside.where(is_short, first_outside)
+    longer = first_outside.where(is_short, last_inside)
     return xr.Variable((*shorter.dims, "end"), abs(np.stack([shorter, longer], axis=-1)), NM)
 
 
@@ -126,8 +132,8 @@ def edges_of_ratios(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
     edges = find_edges(curves, limits)
     if "filtered_force_ratio_interval" in ratios:
         interval = ratios["filtered_force_ratio_interval"]
-        # If some ratios lack an interval and others do not, they are equal on all parts of scans:
-        # their intervals have zero width.
+        # Among ratios with intervals, one without is equal on all parts of scans: its interval has
+        # zero width.
         interval = interval.fillna(ratio.where(interval.notnull().any([CUTOFF, "end"])))
         with np.errstate(divide="ignore"):  # the lower end of an interval without bounds is zero
             lowest, highest = (xr.ufuncs.log(interval.isel(end=end, drop=True)) for end in (0, 1))
@@ -137,10 +143,10 @@ def edges_of_ratios(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
 
 
 def find_ripples(curves: xr.DataArray, limits: tuple[float, float]) -> xr.DataArray:
-    """Return whether ripples of the filter, not the roughness, change the force in ln(ratio).
+    """Return whether ripples of the filter, not the roughness, change curves of ln(ratio).
 
     Without its short waves a random surface has lower summits, so that the force rises. If the
-    force falls before it rises, the filter has made higher summits: ripples near steps.
+    force falls first, the filter has made higher summits: ripples near steps.
     """
     lower, upper = limits
     falls_at = curves[CUTOFF].where(curves < lower).min(CUTOFF)
@@ -155,7 +161,7 @@ def remove_rippled_edges(edges: xr.Dataset, are_rippled: xr.DataArray) -> xr.Dat
 
 
 def computed_cutoffs(values: xr.DataArray) -> Floats:
-    """Return the ascending cutoffs (nm) at which any value (..., cutoff_wavelength) is finite."""
+    """Return the ascending cutoffs (nm) at which any value (..., cutoff_wavelength) is not NaN."""
     dimensions = [dim for dim in values.dims if dim != CUTOFF]
     return np.sort(values[CUTOFF].values[values.notnull().any(dimensions).values])
 
@@ -193,9 +199,9 @@ def edges_of_masters(
 ) -> tuple[xr.Dataset, xr.DataArray]:
     """Return ratios and changes of the force on substitutes with their edges, and sampled edges.
 
-    Each master has a scan of its own, unlike those of `edges_of_scans`. Sampled edges are (1 +
-    sample, ..., side, group). The first is the edge itself, NaN if it is open. In the others the
-    bound replaces an open edge.
+    Masters are independent: each has another scan, unlike those of `edges_of_scans`. Sampled edges
+    are (1 + sample, ..., side, group). The first is the edge itself, NaN if it is open. In the
+    samples the bound replaces an open edge.
     """
     # The word "scales" is a part of the seed: another word would give other samples.
     ratios = sampling.sample_means("scales", forces["filtered_force_ratio"], "realization")
@@ -263,7 +269,7 @@ def _ratios_of_masters(master_forces: MasterForces, confidence: float) -> xr.Dat
 
 def _widen_ratios(ratios: xr.Dataset, hindcast_ratio: xr.DataArray) -> xr.Dataset:
     """Return ratios whose intervals contain the error of artificial roughness."""
-    # Where the filter changes nothing, there is no error.
     log_error = abs(np.log(hindcast_ratio.reindex(surface=ratios["surface"]).fillna(1)))
+    # The error is at most the change by the filter.
     log_ratio = abs(np.log(ratios["filtered_force_ratio"]))
     return widen_interval(ratios, "filtered_force_ratio", np.exp(np.minimum(log_error, log_ratio)))

@@ -16,7 +16,7 @@ from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NM
 FINE_RANGE_COUNT = 801
 #: Variables of the best fit, with their units.
 FIT_ATTRS = {"range_of_adhesion": NM, "work_of_adhesion": JOULE_PER_M2, "best_error": DIMENSIONLESS}
-#: New names of these variables for a fit that leaves out one surface.
+#: Names of these variables in a fit without one surface.
 WITHOUT_SURFACE = {
     "range_of_adhesion": "range_without_surface",
     "work_of_adhesion": "work_without_surface",
@@ -25,9 +25,9 @@ WITHOUT_SURFACE = {
 
 
 def spline_weights(points: Floats, targets: Floats | float, *, extrapolate: bool = False) -> Floats:
-    """Return the weights (..., point) of a cubic spline through ascending points at targets (...).
+    """Return the weights (..., point) of a spline through ascending points at targets (...).
 
-    They are NaN beyond the points unless `extrapolate` is True.
+    The degree is at most three. Beyond the points, weights are NaN unless `extrapolate` is True.
     """
     spline = make_interp_spline(points, np.eye(len(points)), k=min(3, len(points) - 1))
     return np.asarray(spline(targets, extrapolate=extrapolate))
@@ -36,13 +36,13 @@ def spline_weights(points: Floats, targets: Floats | float, *, extrapolate: bool
 def interpolate_to_ranges(
     forces: Floats, computed_ranges: Floats, new_ranges: Floats | float
 ) -> Floats:
-    """Return forces (..., rho) at new ranges by a cubic spline in log F and log rho; NaN beyond."""
+    """Return forces (..., rho) at new ranges, by `spline_weights` in log F and log rho."""
     weights = spline_weights(np.log(computed_ranges), np.log(new_ranges))
     return np.asarray(np.exp(np.log(forces) @ weights.T))
 
 
 def interpolate_forces(forces: xr.DataArray, rho: float) -> xr.DataArray:
-    """Return forces (...) at one range, from forces with the dimension rho, by the same spline."""
+    """Return forces (...) at one range (nm) by `interpolate_to_ranges`."""
     interpolated: xr.DataArray = xr.apply_ufunc(
         interpolate_to_ranges, forces, forces["rho"], rho, input_core_dims=[["rho"], ["rho"], []]
     )
@@ -50,7 +50,7 @@ def interpolate_forces(forces: xr.DataArray, rho: float) -> xr.DataArray:
 
 
 def fine_ranges(ranges: Floats) -> Floats:
-    """Return FINE_RANGE_COUNT ranges from the shortest to the longest of the computed ranges."""
+    """Return FINE_RANGE_COUNT ranges between the ends of ascending ranges, or the only range."""
     if len(ranges) == 1:
         return ranges
     return np.geomspace(ranges[0], ranges[-1], FINE_RANGE_COUNT)
@@ -78,8 +78,8 @@ def fit_work(mean_forces: Floats, measured_forces: Floats) -> tuple[Floats, Floa
     relative_forces = mean_forces / measured_forces[:, None]
     matching_works = 1 / relative_forces
     errors = [
-        np.abs(matching_works[..., [surface], :] * relative_forces - 1).mean(axis=-2)
-        for surface in range(len(measured_forces))
+        np.abs(matching_works[..., [index], :] * relative_forces - 1).mean(axis=-2)
+        for index in range(len(measured_forces))
     ]
     return minimum_along_axis(np.stack(errors, axis=-2), matching_works, axis=-2)
 
@@ -88,9 +88,9 @@ def best_fit(mean_forces: Floats, measured_forces: Floats, ranges: Floats) -> di
     """Return the variables of FIT_ATTRS (...); NaN if a computed force is NaN. Ranges are in nm."""
     works, errors = fit_work(mean_forces, measured_forces)
     work, error = minimum_along_axis(errors, works)
-    is_known = np.isfinite(error)
+    is_finite = np.isfinite(error)
     return {
-        "range_of_adhesion": np.where(is_known, ranges[errors.argmin(axis=-1)], np.nan),
-        "work_of_adhesion": np.where(is_known, work, np.nan),
+        "range_of_adhesion": np.where(is_finite, ranges[errors.argmin(axis=-1)], np.nan),
+        "work_of_adhesion": np.where(is_finite, work, np.nan),
         "best_error": error,
     }

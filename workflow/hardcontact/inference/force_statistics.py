@@ -16,7 +16,7 @@ from hardcontact.contact.pull_off import mean_over_contacts
 from hardcontact.inference.fit import interpolate_forces
 
 #: Statistics of the forces on one surface, with their attributes. The mean has Student's interval.
-#: The others are of all single forces; their intervals come from the jackknife over scans.
+#: The others are of single forces; their intervals come from the jackknife over scans.
 STATISTIC_ATTRS = {
     "mean_force_at_pair": NEWTON, "median_force_at_pair": NEWTON,
     "log_force_std": DIMENSIONLESS, "lognormal_median": NEWTON,
@@ -26,7 +26,7 @@ STATISTIC_ATTRS = {
 def sample_mean_forces(forces: xr.DataArray, sampling: Sampling) -> Floats:
     """Return mean forces (1 + sample, surface, rho) over all scans: the means, then their samples.
 
-    Samples are NaN for a surface with a single scan. All calls share their random numbers.
+    Samples are NaN for a surface with a single scan. All calls use the same random numbers.
     """
     scan_means = mean_over_contacts(forces)
     means = sampling.sample_means("adhesion", scan_means, "scan")
@@ -58,7 +58,7 @@ def statistics_at_pair(
 
 
 def force_statistics(forces: Floats, sampling: Sampling) -> tuple[Floats, Floats]:
-    """Return the numbers (statistic,) of STATISTIC_ATTRS for one surface, and intervals (..., 2).
+    """Return STATISTIC_ATTRS (statistic,) of one surface, and their intervals (statistic, 2).
 
     Forces (scan, sphere_scan, contact) are in N, NaN for a missing scan.
     """
@@ -81,7 +81,7 @@ def force_statistics(forces: Floats, sampling: Sampling) -> tuple[Floats, Floats
 
 
 def _single_force_statistics(forces: Floats) -> Floats:
-    """Return the last three numbers of STATISTIC_ATTRS for single forces (...), NaN without any."""
+    """Return STATISTIC_ATTRS without the mean, (3,), of single forces (...); NaN without forces."""
     if not forces.size:
         return np.full(3, np.nan)
     logarithms = np.log(forces)

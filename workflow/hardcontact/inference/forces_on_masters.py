@@ -36,7 +36,7 @@ def filtered_pull_off(
     radii: Sequence[float] | None = None,
     ranges: Sequence[float] | None = None,
 ) -> xr.Dataset:
-    """Return the forces on a master, at each combination of radius, loading and range.
+    """Return forces on a master, unfiltered and at each cutoff, by radius, loading and range.
 
     The loaded contacts differ in their loading alone. Radius and range are those of the first
     contact, unless `radii` and `ranges` are given.
@@ -85,9 +85,10 @@ def read_master_forces(
 ) -> xr.Dataset:
     """Read the datasets of `filtered_pull_off` (surface, realization, side, ...); add force ratios.
 
-    With a `loading`, the result has no dimensions of loading, radius and range.
+    `surfaces` has the surface of each path. With a `loading`, the result has no dimensions of
+    loading, radius and range.
     """
-    chunks = read_by_key([(name, number) for number, name in enumerate(surfaces)], paths)
+    chunks = read_by_key([(surface, index) for index, surface in enumerate(surfaces)], paths)
     forces = stack(concatenate(chunks, "realization"), ["surface"])
     if loading is not None:
         forces = forces.sel(loading=loading, drop=True).squeeze(["radius", "rho"], drop=True)
@@ -98,32 +99,32 @@ def read_master_forces(
 def add_force_ratios(forces: xr.Dataset) -> xr.Dataset:
     """Return forces on masters, by growing cutoff, with the ratios of filtered to unfiltered means.
 
-    Means are over the contacts of a master. ``spectrum_end`` loses the dimension of realizations.
+    Means are over the contacts of a master. ``spectrum_end`` loses the dimension `realization`.
     """
     forces = forces.sortby("cutoff_wavelength")
     filtered = forces["pull_off_force"].mean(CONTACT_AXES)
     unfiltered = forces["unfiltered_pull_off_force"].mean(CONTACT_AXES)
-    ratio = (filtered / unfiltered).drop_attrs(deep=False)  # Coordinates keep their units.
+    # Coordinates keep their units.
+    ratio = (filtered / unfiltered).drop_attrs(deep=False).assign_attrs(DIMENSIONLESS)
     # All realizations, if any, have the same end; it is NaN for those that a surface does not have.
     realization_axes = [axis for axis in forces["spectrum_end"].dims if axis == "realization"]
     spectrum_end = forces["spectrum_end"].max(realization_axes, keep_attrs=True)
-    ratio = ratio.assign_attrs(DIMENSIONLESS)
     return forces.assign(filtered_force_ratio=ratio, spectrum_end=spectrum_end)
 
 
 def add_spectrum_shifts(forces: xr.Dataset, sampled_forces: xr.Dataset) -> xr.Dataset:
-    """Return forces on masters, with the changes of logarithms if the scans have another spectrum.
+    """Return forces on masters, with the changes of ln(ratio) and ln(force) by sampled spectra.
 
-    `forces` are on masters of the most likely spectra, `sampled_forces` on masters of sampled ones,
-    with the same random numbers.
+    `forces` are on masters of the most likely spectra, `sampled_forces` on masters of sampled
+    spectra, with the same random numbers.
     """
     force = forces["unfiltered_pull_off_force"].mean(CONTACT_AXES)
     sampled_force = sampled_forces["unfiltered_pull_off_force"].mean(CONTACT_AXES)
-    changes = {
+    factors = {
         "log_ratio_shift": sampled_forces["filtered_force_ratio"] / forces["filtered_force_ratio"],
         "log_unfiltered_force_shift": sampled_force / force,
     }
     shifts = {
-        name: xr.ufuncs.log(change).assign_attrs(DIMENSIONLESS) for name, change in changes.items()
+        name: xr.ufuncs.log(factor).assign_attrs(DIMENSIONLESS) for name, factor in factors.items()
     }
     return forces.merge(xr.Dataset(shifts), join="left", compat="no_conflicts")

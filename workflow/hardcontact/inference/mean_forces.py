@@ -24,7 +24,7 @@ from hardcontact.inference.scan_parts import (
     quarters_of_contacts,
 )
 
-#: Largest half width of a logarithm: an interval of a wider factor to each side is of no use.
+#: Largest half width of the interval of a logarithm: more than a factor of 1000 is of no use.
 MAX_BOUNDED_HALF_WIDTH = float(np.log(1e3))
 #: Dimensions over which the forces of single contacts on one surface differ.
 SINGLE_CONTACT_AXES = ["scan", "sphere_scan", *CONTACT_AXES]
@@ -34,11 +34,11 @@ class SurfaceForces(NamedTuple):
     """Mean forces of one surface in one contact model, over scans of both bodies and contacts."""
 
     ranges: Floats  #: (rho,) Ranges of adhesion in nm.
-    mean: Floats  #: (rho,) Mean force in N, at the work of adhesion of the input.
-    delete_one_log_means: Floats  #: (rho, part) Logarithms of the mean of all parts but one.
-    scan_parts: list[ScanParts]  #: (rho,) Equal parts, whose correlation grows with the range.
+    mean: Floats  #: (rho,) Mean force in N, at the work of adhesion of single forces.
+    delete_one_log_means: Floats  #: (rho, part) Logarithms of the mean over all parts but one.
+    scan_parts: list[ScanParts]  #: (rho,) The same parts, but with a correlation for each range.
     log_force_std: Floats  #: (rho,) Standard deviation of ln F over single contacts.
-    #: (rho,) Variance of ln(mean) at a new position on a rough sphere; None for a single position.
+    #: (rho,) Variance of ln F from the computed mean to a new position; None for one position.
     position_variance: Variance | None
 
 
@@ -47,7 +47,8 @@ def forces_of_surface(
 ) -> SurfaceForces:
     """Return the mean forces of one surface and contact model.
 
-    Forces (scan, sphere_scan, rho, contact_y, contact_x) are in N, NaN where a scan is missing.
+    Forces (scan, sphere_scan, rho, contact_y, contact_x) are in N, NaN where a scan is missing;
+    lengths are in nm.
     """
     scan_forces = forces.dropna("scan", how="all").mean("sphere_scan")
     scan_forces = scan_forces.transpose("scan", "rho", *CONTACT_AXES)
@@ -62,16 +63,16 @@ def forces_of_surface(
     )
     mean = scan_forces.mean(CONTACT_AXES).mean("scan").values
     log_force_std = xr.ufuncs.log(forces).std(SINGLE_CONTACT_AXES).values
-    variance = _position_variance(forces)
     return SurfaceForces(
-        scan_forces.rho.values, mean, delete_one_log_means.T, scan_parts, log_force_std, variance
-    )
+        scan_forces.rho.values, mean, delete_one_log_means.T, scan_parts, log_force_std,
+        _position_variance(forces),
+    )  # fmt: skip
 
 
 def forces_by_surface(
     adhesion: xr.Dataset, scan_sizes: Mapping[str, float]
 ) -> dict[str, SurfaceForces]:
-    """Return the forces of each surface in one contact model."""
+    """Return the forces of each surface in one contact model; scan sizes are in nm."""
     radius = float(adhesion.attrs["sphere_radius"])
     return {
         name: forces_of_surface(
@@ -86,13 +87,13 @@ def _position_variance(forces: xr.DataArray) -> Variance | None:
     count = forces.sizes["sphere_scan"]
     if count < 2:
         return None
-    # The variances of a new position and of the mean over the computed positions add.
+    # The variance of one position and that of the mean over the computed positions add.
     position_means = forces.mean(["scan", *CONTACT_AXES]).transpose("rho", "sphere_scan").values
     return Variance((1 + 1 / count) * np.log(position_means).var(axis=1, ddof=1), count - 1)
 
 
 def position_half_width(surface_forces: SurfaceForces, confidence: float) -> Floats | None:
-    """Return the half width (rho,) of the interval of ln(mean) for the position of the sphere."""
+    """Return the half width (rho,) of ln(mean) from the unknown position of a rough sphere."""
     variance = surface_forces.position_variance
     return None if variance is None else interval_half_width([variance], confidence)
 
@@ -100,12 +101,12 @@ def position_half_width(surface_forces: SurfaceForces, confidence: float) -> Flo
 def mean_intervals(surface_forces: SurfaceForces, confidence: float) -> Floats:
     """Return the intervals (rho, 2) of the mean forces of one surface, in N.
 
-    Half widths add in squares: of scan parts, and of the unknown position of a rough sphere.
+    Half widths from scan parts and from the position of a rough sphere add in squares.
     """
-    parts_at_ranges = zip(
+    log_means_and_parts = zip(
         surface_forces.delete_one_log_means, surface_forces.scan_parts, strict=True
     )
-    variances = [jackknife_variance(log_means, parts) for log_means, parts in parts_at_ranges]
+    variances = [jackknife_variance(log_means, parts) for log_means, parts in log_means_and_parts]
     half_widths = np.array([interval_half_width([variance], confidence) for variance in variances])
     position_half_widths = position_half_width(surface_forces, confidence)
     if position_half_widths is not None:
@@ -116,10 +117,10 @@ def mean_intervals(surface_forces: SurfaceForces, confidence: float) -> Floats:
 def logarithmic_interval(value: Floats, log_half_width: Floats) -> Floats:
     """Return the interval (..., 2) of a positive value from the half width of its logarithm.
 
-    Above MAX_BOUNDED_HALF_WIDTH it is zero to infinity.
+    It reaches from zero to infinity if the half width exceeds MAX_BOUNDED_HALF_WIDTH.
     """
-    finite = value[..., None] * np.exp(np.stack([-log_half_width, log_half_width], axis=-1))
-    return np.where((log_half_width > MAX_BOUNDED_HALF_WIDTH)[..., None], [0.0, np.inf], finite)
+    bounded = value[..., None] * np.exp(np.stack([-log_half_width, log_half_width], axis=-1))
+    return np.where((log_half_width > MAX_BOUNDED_HALF_WIDTH)[..., None], [0.0, np.inf], bounded)
 
 
 class MasterScans(NamedTuple):
@@ -178,10 +179,10 @@ def half_width_over_masters(
     shift_name: str,
     confidence: float,
 ) -> Floats:
-    """Return the half width (...) of the interval of the logarithm of a mean over masters.
+    """Return the half width (...) of the interval of the logarithm of a statistic over masters.
 
-    The statistic (realization, ...) takes the mean forces with and without a filter. `shift_name`
-    is a variable of `forces_on_masters.add_spectrum_shifts`.
+    The statistic (realization, ...) is a function of the filtered and unfiltered mean forces.
+    `shift_name` names its shifts, a variable of `forces_on_masters.add_spectrum_shifts`.
     """
     forces, scan_parts = master_forces
 
@@ -199,11 +200,11 @@ def half_width_over_masters(
     variances = [jackknife_variance(delete_one_log_means, scan_parts)]
     count = forces.sizes["realization"]
     if scan_parts.are_quarters and count > 1:
-        # The jackknife deletes a quarter of every realization, so it misses their variance.
+        # The jackknife deletes a quarter of every realization, so it misses how these differ.
         logarithms = np.log(contact_statistic(xr.DataArray(True)).values)
         variances.append(Variance(logarithms.var(axis=0, ddof=1) / count, count - 1))
     shifts = forces.get(shift_name)
     if shifts is not None and shifts.notnull().any():
-        # A shift is the change by a newly sampled spectrum: its mean square is the variance.
+        # A shift is the change of the logarithm by one sampled spectrum; shifts scatter about zero.
         variances.append(Variance((shifts**2).mean("realization").values, count))
     return interval_half_width(variances, confidence)

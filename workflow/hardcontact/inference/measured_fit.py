@@ -2,7 +2,7 @@
 
 At each range rho a measured force F and a computed force f, at 1 J/m², agree for the work
 W = F/f(rho). One surface gives a curve W(rho); several give a region, the pairs within the
-intervals of all. Along ``rho_fine`` are the computed ranges and interpolated ones.
+intervals of all. The dimension ``rho_fine`` holds the computed ranges and ranges between them.
 """
 
 from collections.abc import Mapping
@@ -46,13 +46,13 @@ class ForceSummary(NamedTuple):
 def summarize_forces(forces: pd.DataFrame) -> ForceSummary:
     """Return mean and scatter of one surface's rows of the table of measured forces.
 
-    Forces at one site are one sample, their mean; a force without a site has its own.
+    Forces at one site are one sample, their mean; a force without a site is one, too.
     """
     force_count = int(forces["count"].sum())
     if len(forces) == 1:
         mean, median = float(forces["mean"].iloc[0]), forces["median"].iloc[0]
         log_std = float(log_std_of_lognormal(mean, median)) if force_count > 1 else np.nan
-        # A row does not tell the sites of its forces.
+        # A row does not name the sites of its forces: each counts as one.
         return ForceSummary(mean, log_std, site_count=force_count, force_count=force_count)
     has_site = forces["site"] != ""
     sites = forces["site"].where(has_site, forces.index)
@@ -65,8 +65,9 @@ def summarize_forces(forces: pd.DataFrame) -> ForceSummary:
 def look_repeated(forces: pd.DataFrame) -> bool:
     """Return whether forces on one surface without sites look as if several share a site.
 
-    Then few values are distinct, or von Neumann's ratio at some lag of rows is below one, its value
-    for independent forces: half the mean squared difference of ln F, over the variance of ln F.
+    Then at most half of the values are distinct, or von Neumann's ratio at some lag of rows is far
+    below 1, its mean for independent forces: half the mean squared difference of ln F, over the
+    variance of ln F.
     """
     logs = np.log(forces["mean"].to_numpy(float))
     if (forces["site"] != "").any() or len(logs) < 3:
@@ -75,7 +76,7 @@ def look_repeated(forces: pd.DataFrame) -> bool:
         return True
     lags = np.arange(1, len(logs) // 2 + 1)
     ratios = [np.mean((logs[lag:] - logs[:-lag]) ** 2) / (2 * logs.var(ddof=1)) for lag in lags]
-    # For independent forces the ratio scatters about 1 by 1/sqrt(n - lag). The lags share a chance.
+    # For independent forces the ratio scatters about 1 by 1/sqrt(n - lag). All lags share a chance.
     quantile = NormalDist().inv_cdf(REPEATED_BY_CHANCE / len(lags))
     return bool((ratios < 1 + quantile / np.sqrt(len(logs) - lags)).any())
 
@@ -83,10 +84,10 @@ def look_repeated(forces: pd.DataFrame) -> bool:
 def sample_measured_mean(
     rng: np.random.Generator, summary: ForceSummary, sample_count: int
 ) -> np.ndarray:
-    """Return the mean force in N, then samples of the true mean (1 + sample,), NaN for one site.
+    """Return the mean force in N, then samples of the true mean (1 + sample,).
 
-    Samples deviate as the mean of ln F plus half its variance does for a log-normal F
-    (Krishnamoorthy and Mathew, J. Stat. Plan. Inference 115 (2003) 103).
+    Samples deviate as the mean of ln F plus half the variance of ln F, for a log-normal F
+    (Krishnamoorthy and Mathew, J. Stat. Plan. Inference 115 (2003) 103), and are NaN for one site.
     """
     if summary.site_count < 2:
         return np.append(summary.mean, np.full(sample_count, np.nan))
@@ -107,25 +108,25 @@ def fit_measured(
     pixel_factors: Mapping[str, float],
     sampling: Sampling,
 ) -> xr.Dataset:
-    """Return fit.nc: ranges and works of adhesion that agree with measured forces.
+    """Return the ranges and works of adhesion that agree with measured forces.
 
-    `adhesion` holds the computed forces, `force_table` the measured ones in N. Finer pixels may
-    divide the computed force of a surface by its factor.
+    `adhesion` holds the computed forces, `force_table` the measured forces in N. Scan sizes are in
+    nm. Finer pixels may divide the computed force of a surface by its factor.
     """
     tables = dict(list(force_table.groupby("surface")))
     surfaces = [name for name in adhesion["surface"].values.tolist() if name in tables]
     summaries = {name: summarize_forces(tables[name]) for name in surfaces}
-    means = [
+    sampled_means = [
         sample_measured_mean(sampling.generator("tests", name), summary, sampling.sample_count)
         for name, summary in summaries.items()
     ]
-    measured_forces = np.stack(means, axis=1)
+    measured_forces = np.stack(sampled_means, axis=1)
     measured_adhesion = adhesion.sel(surface=surfaces)
     fits = {}
     for model in adhesion["contact_model"].values.tolist():
         model_forces = forces_by_surface(measured_adhesion.sel(contact_model=model), scan_sizes)
         fits[(model,)] = _fit_contact_model(model_forces, measured_forces, pixel_factors, sampling)
-    # The parts of scans are the same for all models, so that those of the last model serve.
+    # All models have the same parts of scans, so that those of the last model serve.
     interval_sources = [
         model_forces[name].scan_parts[0].interval_source
         if summary.site_count > 1
@@ -145,18 +146,18 @@ def fit_measured(
     )
 
 
-def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampling) -> Floats:
-    """Return samples (sample, rho) of the mean forces of a surface in N at 1 J/m².
+def _sample_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampling) -> Floats:
+    """Sample the mean forces (sample, rho) of a surface in N at 1 J/m².
 
     All ranges share random numbers. All surfaces share those of the position of the sphere.
     """
     count = sampling.sample_count
-    parts_at_ranges = zip(
+    log_means_and_parts = zip(
         surface_forces.delete_one_log_means, surface_forces.scan_parts, strict=True
     )
     scan_deviations = [
         sample_deviations(sampling.generator("scans", surface), log_means, parts, count)
-        for log_means, parts in parts_at_ranges
+        for log_means, parts in log_means_and_parts
     ]
     deviations = np.stack(scan_deviations, axis=1)
     position_variance = surface_forces.position_variance
@@ -180,7 +181,7 @@ def _fit_contact_model(
     means = np.stack([surface_forces.mean for surface_forces in computed_forces.values()])
     force_curves = interpolate_to_ranges(means, computed_ranges, ranges)
     sampled_forces = [
-        _sampled_forces(surface_forces, name, sampling)
+        _sample_forces(surface_forces, name, sampling)
         for name, surface_forces in computed_forces.items()
     ]
     measured_means, measured_samples = measured_forces[0], measured_forces[1:]
@@ -213,13 +214,13 @@ def _fit_contact_model(
 def _work_intervals(
     sampled_works: Floats, computed_ranges: Floats, ranges: Floats, confidence: float
 ) -> Floats:
-    """Return the central intervals (surface, rho_fine, 2) of works (sample, surface, rho)."""
+    """Return intervals (surface, rho_fine, 2) at `ranges` of works (sample, surface, rho)."""
     ends = np.moveaxis(percentile_interval(sampled_works, confidence), -1, 0)
     return np.moveaxis(interpolate_to_ranges(ends, computed_ranges, ranges), 0, -1)
 
 
 def _common_region(intervals: Floats) -> Floats:
-    """Return the works (rho_fine, 2) in all intervals (surface, rho_fine, 2), or NaN."""
+    """Return the common part (rho_fine, 2) of intervals (surface, rho_fine, 2), or NaN."""
     region = np.stack([intervals[..., 0].max(axis=0), intervals[..., 1].min(axis=0)], axis=-1)
     is_empty = ~(region[:, 0] < region[:, 1])
     return np.where(is_empty[:, None], np.nan, region)
@@ -229,11 +230,11 @@ def _best_pair(force_curves: Floats, measured_forces: Floats, ranges: Floats) ->
     """Return the `best_fit` of mean forces (surface, rho_fine), and how many pairs fit exactly."""
     fit = best_fit(force_curves, measured_forces, ranges)
     exact_pairs = 0
-    if len(force_curves) == 1:  # A surface has no best range.
+    if len(force_curves) == 1:  # One surface fits at every range.
         fit = {name: np.array(np.nan) for name in fit}
     if len(force_curves) == 2:
         first_work, second_work = measured_forces[:, None] / force_curves
-        # A pair fits exactly where the curves of work cross.
+        # A pair fits exactly where the curves of work cross; more curves hardly cross at one pair.
         exact_pairs = int(np.count_nonzero(np.diff(second_work > first_work)))
     if exact_pairs:  # The remaining error comes from the grid of ranges.
         fit["best_error"] = np.array(np.nan)
@@ -245,14 +246,14 @@ def _region_extent(region: Floats, ranges: Floats) -> dict[str, Any]:
     """Return the lowest and the highest range and work of adhesion in a region (rho_fine, 2).
 
     If a region may extend beyond the computed ranges, its range is NaN at this end, its work at
-    both.
+    both. All are NaN for an empty region.
     """
-    allowed = np.flatnonzero(np.isfinite(region).all(axis=-1))
+    allowed_indices = np.flatnonzero(np.isfinite(region).all(axis=-1))
     region_range, region_work = np.full(2, np.nan), np.full(2, np.nan)
-    if len(allowed):
-        ends = allowed[[0, -1]]
-        is_open = ends == [0, len(ranges) - 1]
-        region_range = np.where(is_open, np.nan, ranges[ends])
+    if len(allowed_indices):
+        end_indices = allowed_indices[[0, -1]]
+        is_open = end_indices == [0, len(ranges) - 1]
+        region_range = np.where(is_open, np.nan, ranges[end_indices])
         if not is_open.any():
             region_work = np.array([np.nanmin(region[:, 0]), np.nanmax(region[:, 1])])
     return {
@@ -262,9 +263,9 @@ def _region_extent(region: Floats, ranges: Floats) -> dict[str, Any]:
 
 
 def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
-    """Return a fit to measured forces with the work of adhesion from extrapolated roughness.
+    """Return a fit to measured forces with the work of adhesion for extrapolated roughness.
 
-    ``extrapolated_work`` (surface, side) holds at the range ``rho`` of `force`, which is force.nc.
+    ``extrapolated_work`` (surface, side) is at the range ``rho`` of `force`, which is force.nc.
     """
     surface_force = force.sel(surface=fitted.surface)
     computed_force = surface_force.extrapolated_force / force.attrs["work_of_adhesion"]
@@ -282,8 +283,8 @@ def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
     return fitted.assign(variables).assign_attrs(rho=force.attrs["rho"])
 
 
-def _logarithmic_errors(data: xr.Dataset, name: str) -> tuple[xr.DataArray, xr.DataArray]:
+def _logarithmic_errors(dataset: xr.Dataset, name: str) -> tuple[xr.DataArray, xr.DataArray]:
     """Return the logarithmic distances of a value from its interval's ends; infinite from zero."""
-    low, high = interval_ends(data, name)
+    low, high = interval_ends(dataset, name)
     with np.errstate(divide="ignore"):
-        return xr.ufuncs.log(data[name] / low), xr.ufuncs.log(high / data[name])
+        return xr.ufuncs.log(dataset[name] / low), xr.ufuncs.log(high / dataset[name])

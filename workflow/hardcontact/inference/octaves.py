@@ -56,13 +56,13 @@ def octave_force_dataset(
     """Return ``octave_force`` with one octave multiplied by each of AMPLITUDE_FACTORS."""
     changed_surface = replace(surface, heights=np.empty_like(surface.heights))
 
-    def force(octave: HeightMap, factor: float) -> Floats:
+    def octave_forces(octave: HeightMap, factor: float) -> Floats:
         np.multiply(octave.heights, factor - 1, out=changed_surface.heights)
         np.add(changed_surface.heights, surface.heights, out=changed_surface.heights)
         return compute_forces(changed_surface)
 
     octaves = split_octaves(surface, limits)
-    forces = [[force(octave, factor) for factor in AMPLITUDE_FACTORS] for octave in octaves]
+    forces = [[octave_forces(octave, factor) for factor in AMPLITUDE_FACTORS] for octave in octaves]
     return xr.Dataset(
         {"octave_force": (("octave", "factor", *CONTACT_AXES), np.array(forces), FORCE_ATTRS)},
         {
@@ -74,7 +74,7 @@ def octave_force_dataset(
 
 
 def whole_surface_forces(surface: HeightMap, contact: Contact, ranges: list[float]) -> xr.Dataset:
-    """Return `octave_force_dataset` of a surface, and its mean ``pull_off_force`` at each range."""
+    """Return `octave_force_dataset`, and the mean ``pull_off_force`` (contact_model, rho) in N."""
     # The octave that holds the longest wave, the size of the surface, ends within twice the size.
     limits = octave_limits(2 * surface.pixel_size, 2 * surface.size)
     pull_off = pull_off_dataset(join_bodies(surface, None, contact), contact, ranges)
@@ -84,7 +84,7 @@ def whole_surface_forces(surface: HeightMap, contact: Contact, ranges: list[floa
 
 
 def strongest_octaves(sensitivity: xr.Dataset) -> Iterator[Number]:
-    """Yield the octaves whose amplitudes change the force most, and by how much."""
+    """Yield wavelength and sensitivity of the octaves to which the force is most sensitive."""
     finite = sensitivity.dropna("octave", subset=["octave_sensitivity"])
     strongest = np.argsort(-np.abs(finite["octave_sensitivity"].values))[:NAMED_OCTAVE_COUNT]
     for rank, index in enumerate(strongest, start=1):

@@ -1,7 +1,6 @@
 """Range and work of adhesion that fit published mean pull-off forces, for fit.nc.
 
-A pair of range and work fits if its error is below the paper's threshold; `measured_fit` uses
-intervals of the forces instead.
+A pair of range and work fits if its error is below the paper's threshold.
 """
 
 from pathlib import Path
@@ -36,7 +35,7 @@ PAIRS = ["published", "fitted"]
 
 #: Works of adhesion (J/m²) of the error map, in steps of 2 %.
 MAPPED_WORKS = np.geomspace(1e-3, 10.0, 501)
-#: Largest number of local minima of the error that fit.nc has, the smallest first.
+#: Largest number of local minima of the error in fit.nc, the smallest first.
 MAX_MINIMA = 3
 
 #: Variables of the best fit, and the range that fits the ratios of forces best.
@@ -144,7 +143,7 @@ def _fitted_variables(
     reference_index: int,
     sampling: Sampling,
 ) -> dict[str, Any]:
-    """Return FITTED_ATTRS with intervals and samples, and ``ratio_error`` (rho_fine).
+    """Return FITTED_ATTRS with intervals, samples of SAMPLED_FITS, and ``ratio_error`` (rho_fine).
 
     Force curves (1 + sample, surface, rho_fine) are the mean forces, then samples of them.
     """
@@ -179,7 +178,7 @@ def _error_variables(
     errors = mean_relative_error(force_curves, published_forces, MAPPED_WORKS)
     region_range, region_work = error_region(errors, ranges, MAPPED_WORKS, threshold)
     work, smallest_errors = fit_work(force_curves, published_forces)
-    minima = local_minima(smallest_errors, MAX_MINIMA)
+    minima = smallest_minima(smallest_errors)
     # Rows of range, work and error; NaN without a further minimum.
     values_at_minima = np.full((3, MAX_MINIMA), np.nan)
     values_at_minima[:, : len(minima)] = ranges[minima], work[minima], smallest_errors[minima]
@@ -194,16 +193,16 @@ def _error_variables(
     }
 
 
-def local_minima(errors: Floats, count: int) -> NDArray[np.int_]:
-    """Return the indices of at most `count` local minima of errors (rho,), the smallest first."""
+def smallest_minima(errors: Floats) -> NDArray[np.int_]:
+    """Return indices of at most MAX_MINIMA minima of errors (rho,) or ends, the smallest first."""
     run_starts = np.flatnonzero(np.diff(errors, prepend=np.inf))  # the first of equal neighbours
     change = np.diff(errors[run_starts], prepend=np.inf, append=np.inf)
     minima = run_starts[(change[:-1] < 0) & (change[1:] > 0)]
-    return np.asarray(minima[np.argsort(errors[minima], kind="stable")[:count]])
+    return np.asarray(minima[np.argsort(errors[minima], kind="stable")[:MAX_MINIMA]])
 
 
 def ratio_errors(computed_forces: Floats, published_forces: Floats, reference_index: int) -> Floats:
-    """Return the mean relative errors (..., rho) of force ratios to a reference surface.
+    """Return the mean relative errors (..., rho) of forces relative to a reference surface.
 
     Computed forces are (..., surface, rho), published forces (surface,).
     """
@@ -217,7 +216,7 @@ def ratio_errors(computed_forces: Floats, published_forces: Floats, reference_in
 def error_region(
     errors: Floats, ranges: Floats, works: Floats, threshold: float
 ) -> tuple[Floats, Floats]:
-    """Return the ranges (2,) in nm and works (2,) in J/m² between which pairs fit, or NaN."""
+    """Return the ends of ranges (2,) in nm and works (2,) in J/m² of pairs that fit, or NaN."""
     rows, columns = np.nonzero(errors < threshold)
     if not rows.size:
         return np.full(2, np.nan), np.full(2, np.nan)

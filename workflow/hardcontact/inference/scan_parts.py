@@ -2,7 +2,7 @@
 
 If a surface has three scans or more, the parts are the scans. Otherwise they are the quarters of
 each scan, by which the contacts are grouped. Quarters are correlated, because the same summits
-attract contacts of several quarters, and the variance is corrected for that. If contacts touch
+attract contacts of several quarters, and the variance is corrected for this. If contacts touch
 fewer patches (`contact.patches`) than there are quarters, some quarters share a patch, and there is
 no interval. A map, along the dimension ``map``, is a mirrored scan, a master or a whole surface.
 """
@@ -13,6 +13,7 @@ from enum import StrEnum
 from typing import NamedTuple
 
 import numpy as np
+import scipy
 import xarray as xr
 from numpy.typing import NDArray
 
@@ -20,7 +21,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.statistics import MAX_LOG_DEVIATION, student_quantile
 from hardcontact.contact.contact import CONTACT_AXES
 
-#: Fewer scans than this number are divided into quarters.
+#: Fewer scans are divided into quarters, because two hardly show how scans vary.
 ENOUGH_SCANS = 3
 #: Smaller half widths of logarithms come from rounding.
 MIN_HALF_WIDTH = 1e-9
@@ -32,11 +33,11 @@ class IntervalSource(StrEnum):
     """The origin of the interval of a mean, or why it is missing: `interval_source` of files."""
 
     SCANS, QUARTERS = "scans", "quarters"
-    #: No interval, because there is a single part, or all parts count as one (SAME_CORRELATION).
+    #: There is a single part, or all parts count as one (SAME_CORRELATION).
     ONE_PART = "none"
-    #: No interval, because contacts touch too few patches.
+    #: Contacts touch too few patches.
     FEW_PATCHES = "few_patches"
-    #: No interval, because forces were measured at a single site.
+    #: Forces were measured at a single site.
     ONE_SITE = "one_site"
 
 
@@ -53,7 +54,7 @@ class ScanParts:
 
     part_of_contact: NDArray[np.int_]  #: (map, contact_y, contact_x) numbers of parts.
     correlation_matrix: Floats  #: (part, part), of mean forces on parts.
-    scan_count: int  #: Number of scans.
+    scan_count: int
     touched_patches: float = np.inf  #: Fewest patches that the contacts on a scan touch.
 
     @property
@@ -111,8 +112,8 @@ def fewest_touched_patches(adhesion: xr.Dataset) -> dict[str, float]:
 def quarters_of_contacts(contacts_per_row: int, tiles: int) -> NDArray[np.int_]:
     """Return the quarter (contact_y, contact_x), 0 to 3, of the scan that holds each contact.
 
-    The map is the mirrored scan, repeated `tiles` times along each axis. On another periodic map
-    the quarters are as large, because a half about the middle of its period takes both sides.
+    The map is the mirrored scan, repeated `tiles` times along each axis. If a map is not mirrored,
+    the second half along an axis is the middle of its period, and the first is the rest.
     """
     # Positions of `contact_positions` in widths of the scan; the second width is its mirror image.
     unfolded = 2 * tiles * (np.arange(contacts_per_row) + 0.25) / contacts_per_row % 2
@@ -127,16 +128,17 @@ def parts_of_scans(
     weight_deviation: float,
     touched_patches: float = np.inf,
 ) -> ScanParts:
-    """Return the parts of the scans of a surface: scans if there are three, otherwise quarters.
+    """Return the parts of the scans of a surface: three or more scans, otherwise quarters.
 
     `scan_of_map` (map,) numbers the scan of each map, `quarters` come from `quarters_of_contacts`.
-    The `period` in nm is twice the width of a mirrored scan. Around a contact, the surface attracts
-    with a Gaussian weight (Eq. 3 of the paper), whose `weight_deviation` is sqrt(R rho) in nm.
+    The `period` in nm is the width of a map. Around a contact, the surface attracts with a Gaussian
+    weight (Eq. 3 of the paper), whose `weight_deviation` is sqrt(R rho) in nm.
     """
     scans, scan = np.unique(scan_of_map, return_inverse=True)
     if len(scans) >= ENOUGH_SCANS:
         part_of_contact = np.broadcast_to(scan[:, None, None], (len(scan), *quarters.shape))
         return ScanParts(part_of_contact, np.eye(len(scans)), len(scans), touched_patches)
+    # Contacts may lie on fewer than four quarters.
     numbers, quarter = np.unique(quarters, return_inverse=True)
     part_of_contact = scan[:, None, None] * len(numbers) + quarter.reshape(quarters.shape)
     scan_matrix = _correlation_of_quarters(period, weight_deviation)[np.ix_(numbers, numbers)]
@@ -147,7 +149,7 @@ def parts_of_scans(
 def parts_of_maps(
     forces: xr.Dataset, radius: float, rho: float, touched_patches: float = np.inf
 ) -> ScanParts:
-    """Return the parts of maps, each of another scan or surface; forces have a ``period`` in nm."""
+    """Return the parts of maps, each of another scan or surface; all lengths are in nm."""
     quarters = quarters_of_contacts(forces.sizes["contact_y"], 1)
     period = float(forces.attrs["period"])
     maps = np.arange(forces.sizes["map"])
@@ -155,7 +157,7 @@ def parts_of_maps(
 
 
 def _correlation_of_quarters(period: float, weight_deviation: float) -> Floats:
-    """Return the correlation (4, 4) of the mean forces on the quarters of a period in nm.
+    """Return the correlation (4, 4) of the mean forces on quarters of a map; lengths are in nm.
 
     Along one axis, the surface attracts the contacts of one half with a weight: a step, 1 on this
     half and 0 on the other, smoothed by a Gaussian. If roughness is uncorrelated, the covariance of
@@ -164,8 +166,8 @@ def _correlation_of_quarters(period: float, weight_deviation: float) -> Floats:
     """
     order = np.arange(1, 2000, 2)  # the sum over higher orders is below 1e-4
     decay = np.exp(-((2 * np.pi * order * weight_deviation / period) ** 2))
-    step = 2 / (np.pi * order) ** 2 * decay
-    covariance_ratio = (0.25 - step.sum()) / (0.25 + step.sum())
+    half_squares = 2 / (np.pi * order) ** 2 * decay
+    covariance_ratio = (0.25 - half_squares.sum()) / (0.25 + half_squares.sum())
     halves = np.array([[1.0, covariance_ratio], [covariance_ratio, 1.0]])
     return np.kron(halves, halves)
 
@@ -192,8 +194,8 @@ def jackknife_variance(logarithms: Floats, scan_parts: ScanParts) -> Variance:
 def interval_half_width(variances: Sequence[Variance], confidence: float) -> Floats:
     """Return the half width (...) of the interval of a logarithm with independent variances.
 
-    It is Student's t with Satterthwaite's degrees of freedom; NaN if the variances are mere
-    rounding errors.
+    It follows from Student's t with Satterthwaite's degrees of freedom, and is at most
+    MAX_LOG_DEVIATION. NaN if a variance is, or if all are rounding errors.
     """
     total = np.asarray(sum(variance.value for variance in variances))
     divisor = np.where(total > 0, total, 1.0)
@@ -227,16 +229,14 @@ def sample_deviations(
 ) -> Floats:
     """Sample deviations (sample, ...) of the logarithm of a statistic from its mean over parts.
 
-    They follow Student's t; `logarithms` come from `delete_one_logarithms`. The random numbers do
-    not depend on the correlation of the parts, so that all ranges of adhesion share them.
+    Deviations follow Student's t; `logarithms` come from `delete_one_logarithms`. The random
+    numbers do not depend on the correlation of parts, so that all ranges of adhesion share them.
     """
-    from scipy import special
-
     part_count = len(logarithms)
     factor, degrees_of_freedom = scan_parts.variance_correction
     normal = rng.standard_normal((sample_count, part_count))
     probability = rng.uniform(size=sample_count)
-    chi_squared = 2 * special.gammaincinv(degrees_of_freedom / 2, probability)
+    chi_squared = 2 * scipy.special.gammaincinv(degrees_of_freedom / 2, probability)
     scale = np.sqrt(factor * (part_count - 1) / part_count * degrees_of_freedom / chi_squared)
     deviations = np.tensordot(scale[:, None] * normal, logarithms - logarithms.mean(axis=0), axes=1)
     return np.asarray(np.clip(deviations, -MAX_LOG_DEVIATION, MAX_LOG_DEVIATION))
