@@ -3,20 +3,21 @@
 import numpy as np
 import xarray as xr
 
-CUTOFFS = np.array([10.0, 100.0, 1000.0, 2000.0, 4000.0])
+CUTOFFS = np.array([10.0, 100.0, 1000.0, 2000.0, 4000.0])  # nm
+#: Force ratios of the short and the long side at CUTOFFS.
 SHORT = [1.02, 1.3, 1.6, np.nan, np.nan]
 LONG = [np.nan, np.nan, 2.0, 1.3, 1.02]
 MASTER_DIMS = ("surface", "realization", "side")
 
 
 def master_ratios(ratios, cutoffs, surfaces=None, shortest=1.0):
-    """Return ratios (surface, realization, side, cutoff) of masters down to a wavelength (nm)."""
+    """Return ratios (surface, realization, side, cutoff) of masters with waves from `shortest`."""
     ratios = np.asarray(ratios)
-    wavelengths = [[shortest, 20e3]] * len(ratios)
+    spectrum_ends = [[shortest, 20e3]] * len(ratios)  # nm
     return xr.Dataset(
         {
             "filtered_force_ratio": ((*MASTER_DIMS, "cutoff_wavelength"), ratios),
-            "spectrum_end": (("surface", "side"), wavelengths),
+            "spectrum_end": (("surface", "side"), spectrum_ends),
         },
         {
             "surface": surfaces or list("ab"[: len(ratios)]), "side": ["short", "long"],

@@ -1,4 +1,4 @@
-"""Maps and line scans of known surfaces, most with the published spectrum of UNCD."""
+"""Maps and line scans of known surfaces, most with the measured spectrum of UNCD."""
 
 from dataclasses import replace
 from functools import cache, partial
@@ -16,7 +16,7 @@ PIXEL = 2500 / 512  # nm, of the paper's scans
 
 
 def uncd_density(q):
-    """Return C_iso of UNCD (nm⁴) at wavevectors in rad/nm."""
+    """Return C_iso (nm⁴) at wavevectors in rad/nm, as in `resources/spectra/uncd-measured.csv`."""
     return 6.1e7 * (1 + (q * 930.0 / (2 * np.pi)) ** 2) ** -1.84
 
 
@@ -66,8 +66,8 @@ def random_line(rng, points, spacing, spectrum=uncd_density, **stated):
     profile = periodic_profile(spectrum, count, spacing)
     amplitudes = rng.normal(size=(2, len(profile))) / np.sqrt(2)
     waves = (amplitudes[0] + 1j * amplitudes[1]) * np.sqrt(profile * length) / spacing
-    orders = np.append(0, waves)
-    return measurement(np.fft.irfft(orders, count)[:points], spacing, **stated)
+    coefficients = np.append(0, waves)
+    return measurement(np.fft.irfft(coefficients, count)[:points], spacing, **stated)
 
 
 def two_sizes_and_a_line(seed):

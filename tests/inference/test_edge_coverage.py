@@ -26,7 +26,7 @@ from hardcontact.surfaces.spectral_models import self_affine, smooth_rolloff
 from hardcontact.surfaces.spectrum import spectrum_of_dataset
 from hardcontact.surfaces.synthesis import long_edge_master, random_surface, short_edge_master
 
-SIZE = 2500.0
+SIZE = 2500.0  # nm, of a scan
 CONTACT = Contact(
     radius=30e3, preload=2e-6, hardness=25e9, window=2500.0, contacts_per_row=4, rho=5.6
 )
@@ -51,7 +51,7 @@ def forces(masters, contact):
 def ratio_intervals(filtered_forces, tiles):
     """Return the intervals (side, end) of the force ratios at the only cutoff of each side.
 
-    They contain 1 + TOLERANCE if the interval of the edge contains the cutoff.
+    Such an interval contains 1 + TOLERANCE if the interval of the edge contains the cutoff.
     """
     master_scans = MasterScans(scan_counts={"a": 1}, tiles=tiles, touched_patches={"a": 99})
     edges = edges_of_scans(filtered_forces, None, master_scans, TOLERANCE, confidence=0.95)
@@ -62,6 +62,7 @@ def assert_contained(intervals):
     """Expect most intervals at the true edge to be bounded and to contain the tolerance."""
     low, high = np.transpose(intervals)
     count = ((low <= 1 + TOLERANCE) & (high >= 1 + TOLERANCE)).sum()
+    # Correct intervals fail by chance in one of a hundred runs.
     assert count >= stats.binom.ppf(0.01, len(low), 0.95), (low, high)
     assert np.isfinite(high).mean() >= 0.8
 
@@ -75,7 +76,7 @@ FILTERS = {side: Filters(side, 256, [edge]) for side, edge in TRUE_EDGES.items()
 
 
 def known_density(wavevector):
-    """C_iso in nm4: rms height 2.5 nm."""
+    """Return C_iso (nm⁴) of a surface with an rms height of 2.5 nm."""
     return smooth_rolloff(wavevector, plateau=1e6, rolloff=740.0, hurst=0.9)
 
 
@@ -104,12 +105,12 @@ PIXEL_SIZE = SIZE / PIXELS
 #: The edge (nm) of the mean over 150 surfaces of the true spectrum, as large as a master; 95 % of
 #: samples of these surfaces with replacement give 950 to 1111 nm.
 LONG_EDGE = 1027.0
-LONG = Filters("long", 2 * TILES * PIXELS, [LONG_EDGE])
-WIDE = replace(CONTACT, window=5000.0)
+LONG_FILTERS = Filters("long", 2 * TILES * PIXELS, [LONG_EDGE])
+WIDE_CONTACT = replace(CONTACT, window=5000.0)
 
 
 def wide_density(wavevector):
-    """C_iso in nm4 whose roll-off is three times the size of a scan, so that no scan shows it."""
+    """Return C_iso (nm⁴) with a roll-off of three times SIZE, so that no scan shows it."""
     return self_affine(wavevector, plateau=6e8, rolloff=3 * SIZE, hurst=0.8)
 
 
@@ -131,7 +132,8 @@ def interval_of_one_scan(number):
             )
             for draw, (master_spectrum, (factor,)) in enumerate(spectra)
         )  # fmt: skip
-        return forces(((draw, LONG, master) for draw, master in enumerate(masters, 1)), WIDE)
+        numbered_masters = ((draw, LONG_FILTERS, master) for draw, master in enumerate(masters, 1))
+        return forces(numbered_masters, WIDE_CONTACT)
 
     measured_forces = filtered_forces([(spectrum, np.ones(1))] * REALIZATIONS)
     sampled_forces = filtered_forces(sample_spectra(rngs, [scan], [None]))

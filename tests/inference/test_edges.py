@@ -15,13 +15,13 @@ LIMITS = (np.log(0.9), np.log(1.1))
 
 
 def make_curve(side, cutoffs, values):
-    """The curve of values (cutoff,) of a side."""
+    """Return the curve of values (cutoff,) of a side."""
     return xr.DataArray(values, {CUTOFF: cutoffs, "side": side}, [CUTOFF])
 
 
-def edge_of_ratios(side, cutoffs, *ratios):
-    """The edge of one surface, whose ratios have a sign, and its interval, from their intervals."""
-    curve, low, high = (make_curve(side, cutoffs, np.log(ratio)) for ratio in ratios)
+def edge_of_ratios(side, cutoffs, *ratio_and_ends):
+    """Return the edge of force ratios, and its interval from the ends of their intervals."""
+    curve, low, high = (make_curve(side, cutoffs, np.log(ratio)) for ratio in ratio_and_ends)
     return find_edges(curve, LIMITS)["edge"].item(), edge_intervals(curve, low, high, LIMITS)
 
 
@@ -33,6 +33,7 @@ def test_an_edge_is_interpolated_in_log_wavelength():
     assert edge(0, 0.05, 0.15) == pytest.approx(10**1.5)
     assert edge(0, -0.05, -0.15) == pytest.approx(10**1.5)
     assert edge(0, 0.1, 0.3) == pytest.approx(10.0)
+    # never outside the limits, or always
     assert np.isnan([edge(0, 0.05, 0.1), edge(0.2, 0.3, 0.4)]).all()
     assert edge(0.2, 0.3, 0.4, spectrum_end=0.1) == pytest.approx(10**-0.5)
     # A cutoff that the curve does not have changes nothing.
@@ -46,23 +47,23 @@ def test_the_edge_of_a_ratio_that_crosses_one_is_where_it_leaves_the_tolerance()
     cutoffs = np.array([20e3, 5380.0, 1450.0, 389.0])
     ratio = (3e3 / cutoffs) ** 0.16
     ratio[0] = 0.95  # flat again where no roughness remains to be removed
-    value, interval = edge_of_ratios("long", cutoffs, ratio, 0.99 * ratio, 1.01 * ratio)
+    edge, interval = edge_of_ratios("long", cutoffs, ratio, 0.99 * ratio, 1.01 * ratio)
     log_ratio = np.log(ratio[1:3])
     share = (np.log(1.1) - log_ratio[0]) / (log_ratio[1] - log_ratio[0])
-    assert value == pytest.approx(5380 * (1450 / 5380) ** share)
+    assert edge == pytest.approx(5380 * (1450 / 5380) ** share)
     # The ratio reaches 1.1 at 1.65 µm; a line between both |ratio - 1| would reach 0.1 at 3.6 µm.
-    assert value == pytest.approx(3e3 / 1.1 ** (1 / 0.16), rel=1e-9)
+    assert edge == pytest.approx(3e3 / 1.1 ** (1 / 0.16), rel=1e-9)
     np.testing.assert_allclose(interval, [1450, 5380])
 
 
-def test_a_curve_that_begins_outside_its_limits_has_no_interval():
+def test_a_curve_that_begins_outside_its_limits_has_neither_edge_nor_interval():
     ratio = np.array([1.3, 1.5, 2.0])
-    value, interval = edge_of_ratios("long", CUTOFFS[::-1], ratio, 0.9 * ratio, 1.1 * ratio)
-    assert np.isnan([value, *interval]).all()
+    edge, interval = edge_of_ratios("long", CUTOFFS[::-1], ratio, 0.9 * ratio, 1.1 * ratio)
+    assert np.isnan([edge, *interval]).all()
 
 
 @pytest.mark.parametrize("spread", [0.02, 0.3])
-def test_the_bracket_holds_the_edge_of_a_curve_that_is_not_straight(spread):
+def test_the_interval_contains_the_edge_of_a_curve_that_is_not_straight(spread):
     rng = np.random.default_rng(5)
     for _ in range(50):
         true_edge = 10 ** rng.uniform(1.3, 3.4)
@@ -72,7 +73,7 @@ def test_the_bracket_holds_the_edge_of_a_curve_that_is_not_straight(spread):
         _, (low, high) = edge_of_ratios(
             "short", cutoffs, ratio, ratio * np.exp(-spread), ratio * np.exp(spread)
         )
-        assert not low > true_edge and not high < true_edge
+        assert not low > true_edge and not high < true_edge  # An end may be NaN.
 
 
 @pytest.mark.parametrize(

@@ -54,12 +54,10 @@ def test_missing_scans_and_contacts_do_not_count():
 
 
 def test_the_interval_comes_from_scans_and_not_from_contacts():
-    """Scans differ and their contacts do not: many contacts do not narrow the interval."""
     levels = 1e-7 * np.array([1.0, 2.0, 3.0, 4.0, 5.0])
     forces = np.broadcast_to(levels[:, None, None], (5, 1, 1000))
     _, intervals = force_statistics(forces, sampling(1, confidence=0.683))
-    scans = xr.DataArray(levels, dims="scan")
-    scan_interval = student_log_interval(scans, 0.683, "scan")
+    scan_interval = student_log_interval(xr.DataArray(levels, dims="scan"), 0.683, "scan")
     np.testing.assert_allclose(intervals[0], scan_interval)
 
 

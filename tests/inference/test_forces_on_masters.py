@@ -17,7 +17,7 @@ from hardcontact.surfaces.filters import filtered_series
 
 
 def master_forces(forces, cutoffs):
-    """Forces (cutoff,) that are 4 N unfiltered, the same at all contacts but for a spread."""
+    """Return forces on a master, in the mean over contacts (cutoff,) in N, and 4 N unfiltered."""
     spread = np.array([[0.5, 1.5], [1.0, 1.0]])
     return xr.Dataset(
         {
@@ -42,6 +42,7 @@ def test_ratios_are_taken_of_mean_forces_over_contacts():
     assert filtered_forces.cutoff_wavelength.values.tolist() == [20.0, 43.0, 500.0, 1e3]
     ratios = filtered_forces.filtered_force_ratio
     empty = [np.nan, np.nan]
+    # 2/4 at 43 and 500 nm, realization/4 at 20 nm and 1 µm
     np.testing.assert_array_equal(
         ratios.sel(surface="b").transpose("side", "realization", ...),
         [
@@ -81,7 +82,8 @@ CONTACTS = [
     Contact(radius=500.0, preload=preload, hardness=25e9, window=640.0, contacts_per_row=3)
     for preload in (2.5e-6, 20e-6)
 ]
-FILTERS, COMBINATIONS = Filters("short", 64, [40.0, 80.0]), ([500.0, 2000.0], [2.0, 5.0])
+FILTERS = Filters("short", 64, [40.0, 80.0])
+RADII_AND_RANGES = ([500.0, 2000.0], [2.0, 5.0])  # nm
 
 
 def noise_master(rms):
@@ -90,9 +92,9 @@ def noise_master(rms):
 
 
 def test_a_flat_surface_gives_the_force_of_a_smooth_sphere_at_every_radius_range_and_area():
-    forces = filtered_pull_off(noise_master(0.0), FILTERS, CONTACTS, None, *COMBINATIONS)
+    forces = filtered_pull_off(noise_master(0.0), FILTERS, CONTACTS, None, *RADII_AND_RANGES)
     mean_force = forces["unfiltered_pull_off_force"].mean(["contact_y", "contact_x"]).values
-    radius, rho = (np.array(values) for values in COMBINATIONS)
+    radius, rho = (np.array(values) for values in RADII_AND_RANGES)
     radius = radius[:, None]
     # 2 pi R W without the attraction outside the window of 640 nm.
     rigid = 2 * np.pi * radius * 1e-9 * erf(640 / np.sqrt(8 * radius * rho)) ** 2
@@ -106,7 +108,7 @@ def test_a_flat_surface_gives_the_force_of_a_smooth_sphere_at_every_radius_range
 
 
 def test_every_combination_equals_its_single_contact():
-    forces = filtered_pull_off(noise_master(3.0), FILTERS, CONTACTS, None, *COMBINATIONS)
+    forces = filtered_pull_off(noise_master(3.0), FILTERS, CONTACTS, None, *RADII_AND_RANGES)
     single_contact = replace(CONTACTS[1], radius=2000.0, rho=5.0)
     single = filtered_pull_off(noise_master(3.0), FILTERS, [single_contact])
     for name in ("pull_off_force", "unfiltered_pull_off_force"):

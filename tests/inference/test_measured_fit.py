@@ -1,4 +1,4 @@
-"""The user's forces made with a range and a work of adhesion that are known."""
+"""Fits to forces made with a known range and work of adhesion."""
 
 import numpy as np
 import pandas as pd
@@ -23,7 +23,7 @@ SLOPES = {"a": 1.6, "b": 0.4}
 
 
 def mean_force(surface, rho):
-    """Mean forces in N at 1 J/m²."""
+    """Return the mean force in N at 1 J/m²."""
     return 2e-5 * (rho / RHO) ** SLOPES[surface]
 
 
@@ -63,7 +63,7 @@ def force_table(rng, count=40, log_std=0.6, surfaces="ab"):
 
 
 def fitted(computed_forces, table, factor=1.0):
-    """The fit of plastic contact; finer pixels raise the upper end of the work by a factor."""
+    """Return the fit of plastic contact; finer pixels raise the high end of works by a factor."""
     sizes = {"a": 2500.0, "b": 2500.0}
     factors = dict.fromkeys(sizes, factor)
     fit = fit_measured(
@@ -77,7 +77,7 @@ def sampled_fit(seed, **options):
     return fitted(adhesion(rng, **options), force_table(rng))
 
 
-def holds(fit, rho=RHO, work=WORK):
+def contains_pair(fit, rho=RHO, work=WORK):
     """Whether the region of a fit contains a pair."""
     low, high = fit.region.interp(rho_fine=rho).values
     return low <= work <= high
@@ -98,8 +98,8 @@ def test_without_scatter_range_and_work_are_recovered():
 
 def test_the_region_contains_the_true_pair_in_nineteen_of_twenty_draws_and_no_distant_pair():
     fits = [sampled_fit(seed) for seed in range(20)]
-    assert sum(holds(fit) for fit in fits) >= 19
-    assert not holds(fits[1], rho=1.0) and not holds(fits[1], work=0.2)
+    assert sum(contains_pair(fit) for fit in fits) >= 19
+    assert not contains_pair(fits[1], rho=1.0) and not contains_pair(fits[1], work=0.2)
     low, high = fits[1].region_range.values
     assert RHOS[0] < low < RHO < high < RHOS[-1]
 
@@ -108,9 +108,10 @@ def test_finer_pixels_raise_the_upper_end_of_the_work_alone():
     rng = np.random.default_rng(5)
     computed_forces, table = adhesion(rng), force_table(rng)
     low, high = interval_ends(fitted(computed_forces, table), "work_by_range")
-    low_with, high_with = interval_ends(fitted(computed_forces, table, factor=2.0), "work_by_range")
-    np.testing.assert_allclose(low_with, low)
-    np.testing.assert_allclose(high_with, 2 * high)
+    fit = fitted(computed_forces, table, factor=2.0)
+    factor_low, factor_high = interval_ends(fit, "work_by_range")
+    np.testing.assert_allclose(factor_low, low)
+    np.testing.assert_allclose(factor_high, 2 * high)
 
 
 def test_two_forces_fit_two_unknowns_by_construction():
@@ -179,15 +180,15 @@ def test_forces_at_one_site_count_once():
 
 
 def test_repeated_sites_are_recognised_and_independent_ones_are_not():
-    def looks(forces):
+    def are_recognised(forces):
         return look_repeated(single_forces(forces))
 
     forces = repeated_forces(1)
-    assert looks(forces.ravel()) and looks(forces.T.ravel())  # blocks, and rounds
-    assert looks(np.repeat([3.0, 1.0, 2.0], 2))
+    assert are_recognised(forces.ravel()) and are_recognised(forces.T.ravel())  # by site, in turn
+    assert are_recognised(np.repeat([3.0, 1.0, 2.0], 2))
     rng = np.random.default_rng(2)
     independent = [np.exp(0.6 * rng.standard_normal(n)) for n in (3, 5, 10, 40, 200) * 40]
-    assert sum(map(looks, independent)) <= 3  # a chance of 0.001 each
+    assert sum(are_recognised(forces) for forces in independent) <= 3  # a chance of 0.001 each
 
 
 @pytest.mark.parametrize("log_std, count", [(0.7, 40), (1.5, 40), (0.7, 4)])
@@ -198,7 +199,7 @@ def test_sampled_means_cover_the_mean_with_their_confidence(log_std, count):
         summary = ForceSummary(forces.mean(), np.log(forces).std(ddof=1), count, count)
         low, high = np.percentile(sample_measured_mean(rng, summary, 400), [5, 95])
         contained.append(low < np.exp(log_std**2 / 2) < high)
-    assert np.mean(contained) > 0.85
+    assert np.mean(contained) > 0.85  # of intervals of 90 %
 
 
 def test_work_with_extrapolated_roughness_is_inversely_proportional_to_the_force():

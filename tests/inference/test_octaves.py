@@ -22,19 +22,19 @@ PIXELS = 128
 
 
 def wavy(*wavelengths):
-    """A map of 2560 nm with waves of 1 nm along y."""
+    """Return a map of 2560 nm with waves along y whose amplitudes are 1 nm."""
     y = np.arange(PIXELS) * PIXEL_SIZE
     profile = sum(np.cos(2 * np.pi * y / wavelength) for wavelength in wavelengths)
     return periodic_map(np.tile(profile[:, None], PIXELS), PIXEL_SIZE)
 
 
 #: Parts of three maps: the maps themselves.
-WHOLE_PARTS = ScanParts(
+MAP_PARTS = ScanParts(
     part_of_contact=np.arange(3)[:, None, None], correlation_matrix=np.eye(3), scan_count=3
 )
 
 
-def test_octaves_end_within_the_waves_of_a_map():
+def test_limits_of_octaves_lie_between_the_shortest_and_the_longest_wavelength():
     limits = octave_limits(41.0, 1000.0)
     np.testing.assert_array_equal(limits, [80.0, 160.0, 320.0, 640.0])
 
@@ -60,7 +60,7 @@ def test_the_sensitivity_of_a_power_is_its_exponent():
         for scale in (1.0, 2.0, 3.0)
     ]
     forces = xr.concat(maps, "map").assign_attrs(map_size=2560.0)
-    result = octave_sensitivities(forces, WHOLE_PARTS, 0.95)
+    result = octave_sensitivities(forces, MAP_PARTS, 0.95)
     # The difference of logarithms is ln((1 + step)/(1 - step)) = 2 arctanh(step), over 2 steps.
     exponent = -1.5 * np.arctanh(AMPLITUDE_STEP) / AMPLITUDE_STEP
     np.testing.assert_allclose(result.octave_sensitivity, [0.0, exponent], atol=1e-6)
@@ -97,12 +97,13 @@ def test_ratios_of_a_band_are_relative_to_the_force_with_all_roughness():
         )
         for scale in (1.0, 2.0, 3.0)
     ]
-    ratios = band_ratios(xr.concat(maps, "map"), WHOLE_PARTS, 0.95)
+    # Each wave has a third of the variance; the published band holds one wave.
+    ratios = band_ratios(xr.concat(maps, "map"), MAP_PARTS, 0.95)
     assert ratios.band_part.values.tolist() == list(BAND_PARTS)
     np.testing.assert_allclose(
         ratios.band_force_ratio, [[1 / 3, 2 / 3, 2 / 3], [1, 1, 1]], rtol=1e-6
     )
     np.testing.assert_array_equal(maps[0].band_edge, list(bands.values()))
-    # Each map has the same ratios: the jackknife has nothing but rounding to vary.
+    # All maps have the same ratios, so that intervals come from rounding.
     widths = np.ptp(ratios.band_force_ratio_interval.values, axis=-1)
     np.testing.assert_allclose(widths[np.isfinite(widths)], 0, atol=1e-5)

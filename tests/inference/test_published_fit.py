@@ -12,7 +12,6 @@ from hardcontact.inference.fit import best_fit, interpolate_to_ranges, mean_rela
 from hardcontact.inference.published_fit import PublishedForces
 
 SAMPLING = Sampling(seed=1, sample_count=50, confidence=0.95)
-#: Position of the reference surface among the surfaces.
 REFERENCE_INDEX = 1
 #: Relative error below which a pair fits.
 THRESHOLD = 0.1
@@ -50,7 +49,7 @@ def test_the_fit_has_the_smallest_error_of_a_fine_search():
     assert np.isnan([*best_fit(curve, MEAN_FORCE, fine).values()]).all()
 
 
-def test_the_region_contains_exactly_the_small_errors():
+def test_the_region_extends_over_all_small_errors_and_no_further():
     errors = np.ones((4, 5))
     errors[1, 2] = errors[2, 3] = 0.05
     ranges, works = published_fit.error_region(errors, RHOS[:4], np.arange(5.0), 0.1)
@@ -81,7 +80,7 @@ def make_adhesion(plastic):
         {"pull_off_force": xr.concat([plastic, plastic / 2], "contact_model")}
         | {name: ("surface", [f"{name} of {surface}" for surface in SUBSTRATES]) for name in names},
         {"contact_model": ["plastic", "rigid"]},
-        {"sphere_radius": 0.25e6, "parameters": "those of adhesion"},
+        {"sphere_radius": 0.25e6},
     )
 
 

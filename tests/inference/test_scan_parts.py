@@ -13,8 +13,8 @@ from hardcontact.inference.scan_parts import (
 )
 
 
-def half_width_of(left_out, scan_parts, confidence):
-    return interval_half_width([jackknife_variance(left_out, scan_parts)], confidence)
+def half_width_of(delete_one_logs, scan_parts, confidence):
+    return interval_half_width([jackknife_variance(delete_one_logs, scan_parts)], confidence)
 
 
 @pytest.mark.parametrize("count, tiles", [(4, 1), (20, 1), (20, 4), (7, 2), (6, 4)])
@@ -40,9 +40,9 @@ def test_three_scans_are_independent_parts_and_fewer_are_divided_into_quarters()
 
 
 def random_forces(rng, draws, pixels, deviation):
-    """Forces (draw, pixels, pixels) of contacts at every pixel of mirrored white roughness.
+    """Return forces (draw, pixels, pixels) at every pixel of mirrored white roughness.
 
-    Their weight is a Gaussian, with its deviation in pixels.
+    The surface attracts with a Gaussian weight, whose deviation is in pixels.
     """
     spectrum = fft.dctn(rng.standard_normal((draws, pixels, pixels)), axes=(1, 2), norm="ortho")
     decay = np.exp(-((np.pi * np.arange(pixels) * deviation / pixels) ** 2) / 2)
@@ -88,8 +88,8 @@ def test_intervals_contain_the_mean_with_their_confidence(scans):
     if not scan_parts.are_quarters:
         means = means.reshape(draws, scans, 4).mean(axis=-1)
     count = means.shape[1]
-    left_out = (means.sum(axis=1, keepdims=True) - means) / (count - 1)
-    half_width = half_width_of(left_out.T, scan_parts, 0.9)
+    delete_one_means = (means.sum(axis=1, keepdims=True) - means) / (count - 1)
+    half_width = half_width_of(delete_one_means.T, scan_parts, 0.9)
     assert np.mean(np.abs(means.mean(axis=1)) < half_width) == pytest.approx(0.9, abs=0.03)
 
 
