@@ -174,7 +174,7 @@ def _random_surface_kinds(study: Mapping[str, Any]) -> dict[str, StoreKind]:
         "grid": grid,
     }
     set_contact = contact | {"contacts_per_row": study["sets"]["contacts_per_row"]}
-    set_scan = {**_random_surface(study), "contact": set_contact, "ranges": ranges}
+    set_scan = {**_grid_settings(study), "contact": set_contact, "ranges": ranges}
     return {
         # Forces on whole substitute surfaces, also with each octave changed.
         "whole_surfaces": StoreKind({**whole_surface, "ranges": whole_ranges}),
@@ -191,8 +191,8 @@ def _all_ranges(study: Mapping[str, Any]) -> list[float]:
     return sorted({*study["adhesion"]["ranges"], study["adhesion"]["range"]})
 
 
-def _random_surface(study: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the settings of random surfaces from which scans are cut."""
+def _grid_settings(study: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the seed and the grid of substitute scans."""
     pixels, size = study["substitutes"]["pixels"], study["substitutes"]["size"]
     surface_pixels = min(RANDOM_SURFACE_WIDTH_RATIO * pixels, MAX_MAP_PIXELS)
     scan_grid = {"pixels": pixels, "size": size, "surface_pixels": surface_pixels}
@@ -201,7 +201,7 @@ def _random_surface(study: Mapping[str, Any]) -> dict[str, Any]:
 
 def _substitute_settings(study: Mapping[str, Any]) -> dict[str, Any]:
     """Return the settings of substitutes."""
-    return _random_surface(study) | {"featured_surface": study["substitutes"]["featured_surface"]}
+    return _grid_settings(study) | {"featured_surface": study["substitutes"]["featured_surface"]}
 
 
 def settings_digest(kinds: Mapping[str, StoreKind], name: str) -> str:

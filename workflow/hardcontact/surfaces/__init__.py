@@ -1,7 +1,7 @@
 """Height maps and spectra: levelling, metrics, filters, random surfaces, and substitutes.
 
-Begin with `height_map` and `spectrum`. `levelling`, `metrics` and `filters` treat maps,
-`synthesis` makes random surfaces and masters. A substitute (`substitutes`) has a spectrum from a
-description (`substitute_spectra`), with `spectral_models`. Its scans meet Table 1 in batches, or
-with bumps or pits from `features`.
+Begin with `height_map` and `spectrum`. `levelling`, `filters` and `metrics` change or measure maps;
+`topography` collects metrics and spectra. `synthesis` makes random surfaces from spectra.
+`substitute_spectra` makes spectra from descriptions and `spectral_models`. Scans of `substitutes`
+meet Table 1 in batches, those of `features` with bumps or pits.
 """

@@ -1,7 +1,7 @@
-"""Substitute scans with bumps or pits on a Gaussian base, which agree with Table 1.
+"""Substitute scans with features, bumps or pits on a Gaussian base, that agree with Table 1.
 
 A Gaussian surface has nearly the same rms height in each scan. In Table 1 rms heights scatter much
-more, as rare features would explain. All features of a surface have the same Gaussian shape.
+more, which rare features would explain. All features of a surface have the same Gaussian shape.
 """
 
 from collections.abc import Mapping, Sequence
@@ -26,9 +26,9 @@ FEATURE_SIGNS = {"bumps": 1, "pits": -1}
 #: The kind of a surface without features.
 GAUSSIAN = "gaussian"
 FEATURE_KINDS = (*FEATURE_SIGNS, GAUSSIAN)
-#: Number of features per µm². These bounds and the next three are assumed; the prior is uniform in
-#: the logarithms within them. If densities began at 0.001, 15 % of the permitted bumps of polished
-#: UNCD would be rarer than 0.01.
+#: Number of features per µm². These four ranges are assumed, and the prior is uniform in their
+#: logarithms. If densities began at 0.001, 15 % of the permitted bumps of polished UNCD would be
+#: rarer than 0.01.
 DENSITY_BOUNDS = (0.01, 10.0)
 #: Height of features relative to the published mean rms height of scans.
 HEIGHT_BOUNDS = (1.0, 60.0)
@@ -38,12 +38,11 @@ WIDTH_BOUNDS = (20.0, 300.0)
 BASE_FACTOR_BOUNDS = (0.2, 1.2)
 #: Smallest width in pixels: the pixels then resolve the curvature of a feature to 4 %.
 MIN_WIDTH_PIXELS = 2.5
-#: Number of samples from the prior in a batch.
+#: Samples from the prior in a batch, and batches at most until Table 1 permits a sample.
 BATCH_SIZE = 1000
-#: Largest number of batches until Table 1 permits a sample.
 MAX_BATCHES = 200
-#: Number of permitted samples, of which the nearest to Table 1 is taken: with so many, all its
-#: numbers are within half a standard error.
+#: Number of permitted samples, of which the nearest to Table 1 is taken: with so many, the nearest
+#: differs by half a standard error at most.
 PERMITTED_SAMPLES = 100
 
 
@@ -53,7 +52,7 @@ def alternating_kind(index: int) -> str:
 
 
 class ScanStatistics(NamedTuple):
-    """Published means and standard deviations over scans, and the rms height over all scales."""
+    """Means and standard deviations over scans, and the rms height over all scales."""
 
     means: Floats  #: (3,) of rms height (nm), slope and curvature (1/nm).
     stds: Floats  #: (3,) in the same units.
@@ -74,22 +73,22 @@ class Features(NamedTuple):
 def published_statistics(
     means: Mapping[str, float], table1: pd.DataFrame, scan_count: int
 ) -> ScanStatistics:
-    """Return the statistics of a surface in Table 1, with deviations in proportion to means."""
+    """Return statistics with given means, and deviations relative to the means as in Table 1."""
     rows = table1.loc[list(TABLE1_METRICS)]
-    values = np.array([means[name] for name in TABLE1_METRICS.values()])
-    stds = values * (rows["uncertainty"] / rows["value"]).to_numpy(float)
-    return ScanStatistics(values, stds, scan_count, float(table1["value"]["all_rms_height"]))
+    rms_means = np.array([means[name] for name in TABLE1_METRICS.values()])
+    stds = rms_means * (rows["uncertainty"] / rows["value"]).to_numpy(float)
+    return ScanStatistics(rms_means, stds, scan_count, float(table1["value"]["all_rms_height"]))
 
 
 def feature_squares(height: ArrayLike, width: ArrayLike, size: float) -> Floats:
     """Return the increase of the squared rms values (..., 3) of a levelled scan by one feature."""
-    # By Campbell's theorem, these are mean squares of the shape, gradient and half-Laplacian.
+    # By Campbell's theorem, these are mean squares of its height, gradient and half-Laplacian.
     height, width = np.asarray(height), np.asarray(width)
     # The squared shape, exp(-x²/w²) along an axis, lies w/sqrt(pi) from its centre on average.
-    # As centres are uniform in the scan, the mean share w/(sqrt(pi) L) lies outside; the squares of
-    # derivatives get the same share.
+    # As centres are uniform in the scan, the mean share w/(sqrt(pi) L) of squared heights, and of
+    # squared derivatives, lies outside along each axis.
     slope_square = (1 - width / (np.sqrt(np.pi) * size)) ** 2 * np.pi * height**2 / size**2
-    # Levelling removes three functions, each with the square of the mean of a feature.
+    # Levelling removes a mean and two slopes, each with the square of the mean of a feature.
     removed = 3 * (2 * np.pi * height * width**2 / size**2) ** 2
     height_square = np.maximum(slope_square * width**2 - removed, 0.0)
     return np.stack([height_square, slope_square, slope_square / (2 * width**2)], axis=-1)
@@ -100,7 +99,7 @@ def featured_rms(
 ) -> Floats:
     """Return the expected rms height, slope and curvature of scans with features: (..., scan, 3).
 
-    `counts` (..., scan) are numbers of features, `added` (..., 3) are the `feature_squares`.
+    `counts` (..., scan) are numbers of features, `added` (..., 3) the `feature_squares` of each.
     """
     base_rms = np.asarray(base_factor)[..., None, None] * statistics.means
     squares: Floats = base_rms**2 + np.asarray(counts)[..., None] * added[..., None, :]
@@ -108,18 +107,18 @@ def featured_rms(
 
 
 def standardized_differences(rms_values: Floats, statistics: ScanStatistics) -> Floats:
-    """Return the differences of scans (..., scan, 3) from published statistics, in standard errors.
+    """Return the differences of scans (..., scan, 3) from statistics, in standard errors.
 
-    The means come first, then, for two scans or more, the deviations of rms height and slope. The
-    relative standard error of a deviation is 1/sqrt(2(n - 1)).
+    The three means come first, then, for several scans, the deviations of rms height and slope,
+    whose relative standard errors are 1/sqrt(2(n - 1)).
     """
     mean_errors = statistics.stds / np.sqrt(statistics.scan_count)
-    differences = (rms_values.mean(axis=-2) - statistics.means) / mean_errors
+    mean_differences = (rms_values.mean(axis=-2) - statistics.means) / mean_errors
     if rms_values.shape[-2] < 2:
-        return np.asarray(differences)
+        return np.asarray(mean_differences)
     ratios = rms_values.std(axis=-2, ddof=1)[..., :2] / statistics.stds[:2]
-    spread = (ratios - 1) * np.sqrt(2 * (statistics.scan_count - 1))
-    return np.concatenate([differences, spread], axis=-1)
+    std_differences = (ratios - 1) * np.sqrt(2 * (statistics.scan_count - 1))
+    return np.concatenate([mean_differences, std_differences], axis=-1)
 
 
 def sample_permitted_features(
@@ -128,9 +127,9 @@ def sample_permitted_features(
     """Sample features until none of their `standardized_differences` exceeds one."""
     min_width = max(WIDTH_BOUNDS[0], MIN_WIDTH_PIXELS * grid.pixel_size)
     bounds = (DENSITY_BOUNDS, HEIGHT_BOUNDS, (min_width, WIDTH_BOUNDS[1]), BASE_FACTOR_BOUNDS)
-    low, high = np.log(bounds).T
+    log_low, log_high = np.log(bounds).T
     for _ in range(MAX_BATCHES):
-        samples = np.exp(rng.uniform(low, high, (BATCH_SIZE, 4)))
+        samples = np.exp(rng.uniform(log_low, log_high, (BATCH_SIZE, 4)))
         number_density, relative_height, width, base_factor = samples.T
         mean_counts = number_density[:, None] * (grid.size / 1e3) ** 2
         counts = rng.poisson(mean_counts, (BATCH_SIZE, scan_count))
@@ -158,7 +157,7 @@ def sample_permitted_features(
 def add_features(
     rng: np.random.Generator, surface: HeightMap, features: Features, count: int
 ) -> HeightMap:
-    """Add features at random positions; on a periodic surface they reach over its borders."""
+    """Add features at random positions; they reach over the borders of a periodic surface."""
     position = (np.arange(surface.pixels) + 0.5) * surface.pixel_size
     centres = rng.uniform(0, surface.size, (2, count, 1))
     distance = position - centres
@@ -170,13 +169,13 @@ def add_features(
 
 
 class FeaturedSurface(NamedTuple):
-    """A substitute, and the published statistics that its scans with features meet."""
+    """A substitute, and the statistics with which its scans with features agree."""
 
-    substitute: Substitute  #: Its spectrum is that of the base, before its factor.
+    substitute: Substitute  #: Its spectrum is that of the base, before the base factor.
     statistics: ScanStatistics
 
     def sample_features(self, kind: str, scan_count: int, *seed_words: object) -> Features:
-        """Sample the features of a surface, of one of FEATURE_KINDS."""
+        """Sample features of a kind; GAUSSIAN has none, only a base factor."""
         if kind == GAUSSIAN:  # The base alone has the published rms height over all scales.
             base_factor = self.statistics.all_rms_height / float(self.statistics.means[0])
             return Features(0.0, 0.0, np.nan, base_factor, (0,) * scan_count)
@@ -186,7 +185,7 @@ class FeaturedSurface(NamedTuple):
         return sample_permitted_features(rng, self.statistics, scan_count, grid, sign)
 
     def to_variables(self, features: Features) -> dict[str, xr.Variable]:
-        """Return features, and the rms height of the base, as variables."""
+        """Return features without counts, and the rms height of the base, as variables."""
         base_rms_height = features.base_factor * float(self.statistics.means[0])
         return {
             "feature_density": xr.Variable((), features.number_density, {"units": "um-2"}),
@@ -197,7 +196,7 @@ class FeaturedSurface(NamedTuple):
 
 
 def featured_surface(substitute: Substitute) -> FeaturedSurface:
-    """Return the surface with features of a substitute; its rms height must be published."""
+    """Return the surface with features of a substitute whose rms height is published."""
     scan_count = int(substitute.constants["value"]["scans_per_surface"])
     means = required_targets(substitute).means
     return FeaturedSurface(substitute, published_statistics(means, substitute.table1, scan_count))
@@ -211,9 +210,9 @@ def whole_surface(
     pixels: int,
     pixel_size: float,
 ) -> HeightMap:
-    """Return a whole surface: with features, or Gaussian with a spectrum that Table 1 permits.
+    """Return a periodic surface: with features, or Gaussian with a spectrum that Table 1 permits.
 
-    Odd numbers get bumps, even ones pits. `description` is a path (resources/README.md).
+    Surfaces of odd numbers have bumps, of even numbers pits. `description` is a path.
     """
     rng = substitute.generator(number, "whole surface")
     if not has_features:
@@ -228,9 +227,9 @@ def whole_surface(
     features = surface.sample_features(kind, scan_count, number, "whole surface")
     base = random_surface(rng, pixels, pixel_size, substitute.spectrum)
     base = replace(base, heights=np.float32(features.base_factor) * base.heights)
-    rng = substitute.generator(number, "whole surface", "features")
-    count = rng.poisson(features.number_density * (base.size / 1e3) ** 2)
-    return add_features(rng, base, features, count)
+    feature_rng = substitute.generator(number, "whole surface", "features")
+    count = feature_rng.poisson(features.number_density * (base.size / 1e3) ** 2)
+    return add_features(feature_rng, base, features, count)
 
 
 def sample_featured_scans(
@@ -250,7 +249,7 @@ def sample_featured_scans(
 def nearest_featured_scans(
     surface: FeaturedSurface, scan_numbers: Sequence[int]
 ) -> tuple[Features, list[HeightMap]]:
-    """Return the scans whose features are nearest to Table 1 among PERMITTED_SAMPLES."""
+    """Return the features nearest to Table 1 among PERMITTED_SAMPLES, and scans with them."""
     choices = []
     for sample_number in range(PERMITTED_SAMPLES):
         kind = alternating_kind(sample_number)
@@ -266,7 +265,7 @@ def nearest_featured_scans(
 def make_featured_scans(
     substitute: Substitute, scan_numbers: Sequence[int]
 ) -> tuple[xr.Dataset, list[HeightMap]]:
-    """Return a dataset on the features of the `nearest_featured_scans`, and these scans."""
+    """Return a dataset of the features of the `nearest_featured_scans`, and the scans."""
     surface = featured_surface(substitute)
     features, scans = nearest_featured_scans(surface, scan_numbers)
     variables = surface.to_variables(features)

@@ -15,12 +15,12 @@ from hardcontact.surfaces.height_map import HeightMap
 #: Fourier transform over orders (y, x).
 Transform = NDArray[np.complexfloating]
 
-#: Rows in a block: no step holds a second full-size array, and a block fits the cache.
+#: Rows transformed at a time, to save memory and to fit the cache.
 BLOCK_ROWS = 64
 
 
 def lowpass(surface: HeightMap, cutoff: float) -> HeightMap:
-    """Return a surface without waves below a cutoff (nm), on the coarsest grid, in float64."""
+    """Return a surface without waves below a cutoff (nm), on the coarsest grid for the others."""
     order_limit = _order_limit(surface, cutoff)
     highest_order = int(order_limit)
     pixels = 2 * highest_order + 2
@@ -43,7 +43,7 @@ def _order_limit(surface: HeightMap, cutoff: float) -> float:
 
 
 def _transform_lowest_orders(surface: HeightMap, highest_order: int) -> Transform:
-    """Return the transform up to an order along both axes, along y in `_signed_orders`."""
+    """Return the transform up to an order: (order y, order x), along y in `_signed_orders`."""
     pixels = surface.pixels
     transform = np.empty((pixels, highest_order + 1), complex)
     for start in range(0, pixels, BLOCK_ROWS):
@@ -55,11 +55,12 @@ def _transform_lowest_orders(surface: HeightMap, highest_order: int) -> Transfor
 
 
 def _signed_orders(highest_order: int) -> NDArray[np.int_]:
-    """Return orders along y as a transform has them: 0, 1, ..., -2, -1."""
+    """Return the orders along y in the sequence of a transform: 0, 1, ..., -2, -1."""
     return np.append(np.arange(highest_order + 1), np.arange(-highest_order, 0))
 
 
 def _orders_on_grid(transform: Transform, order_limit: float, pixels: int) -> Transform:
+    """Return the orders of a transform up to a limit, on a grid (pixels, order x)."""
     highest_order = int(order_limit)
     orders = _signed_orders(highest_order)
     low_orders = transform[orders, : highest_order + 1]
@@ -75,13 +76,13 @@ def interpolate(surface: HeightMap, pixels: int) -> HeightMap:
     _refuse_coarser(coarse_pixels, pixels)
     transform = scipy.fft.rfft2(surface.heights.astype(float))
     padded = np.zeros((pixels, transform.shape[1]), complex)
-    nyquist_order = coarse_pixels // 2
-    padded[: coarse_pixels - nyquist_order] = transform[: coarse_pixels - nyquist_order]
-    padded[-nyquist_order:] += transform[-nyquist_order:]
+    highest_order = coarse_pixels // 2
+    padded[: coarse_pixels - highest_order] = transform[: coarse_pixels - highest_order]
+    padded[-highest_order:] = transform[-highest_order:]
     if coarse_pixels % 2 == 0 and pixels > coarse_pixels:
-        # A grid holds both signs of the Nyquist order in one entry; a finer grid holds each.
-        padded[-nyquist_order] /= 2
-        padded[nyquist_order] += padded[-nyquist_order]
+        # The coarse grid holds both signs of its highest order in one entry, the fine grid in two.
+        padded[-highest_order] /= 2
+        padded[highest_order] += padded[-highest_order]
         padded[:, -1] /= 2
     fine_heights = np.empty((pixels, pixels), np.float32)
     for rows, heights in _inverse_blocks(padded):
@@ -89,16 +90,16 @@ def interpolate(surface: HeightMap, pixels: int) -> HeightMap:
     return replace(surface, heights=fine_heights, pixel_size=surface.size / pixels)
 
 
-def _refuse_coarser(coarse_pixels: int, pixels: int) -> None:
+def _refuse_coarser(min_pixels: int, pixels: int) -> None:
     """Raise ValueError for fewer pixels per row than a surface or its waves need."""
-    if pixels < coarse_pixels:
+    if pixels < min_pixels:
         raise ValueError(
-            f"pixels: expected at least {coarse_pixels} pixels to interpolate to, found {pixels}"
+            f"pixels: expected at least {min_pixels} pixels to interpolate to, found {pixels}"
         )
 
 
 def _inverse_blocks(padded: Transform) -> Iterator[tuple[slice, NDArray[np.floating]]]:
-    """Yield the inverse transform of `padded` (pixels, k) in blocks of rows; overwrites it."""
+    """Yield rows and their heights from a transform (pixels, order x), which is overwritten."""
     pixels = len(padded)
     padded = scipy.fft.ifft(padded, axis=0, overwrite_x=True)
     for start in range(0, pixels, BLOCK_ROWS):
@@ -115,13 +116,13 @@ def filtered_series(
 ) -> Iterator[HeightMap]:
     """Yield a surface without the wavelengths beyond each cutoff (nm); None removes none.
 
-    The side ``"short"`` removes shorter wavelengths, ``"long"`` longer ones. Filtered surfaces
-    overwrite `out` (pixels, pixels), if given. Raises ValueError if wavelengths need more pixels.
+    The side ``"short"`` removes shorter wavelengths, ``"long"`` longer ones. Each filtered surface
+    overwrites `out` (pixels, pixels), if given. Raises ValueError if wavelengths need more pixels.
     """
     order_limits = [None if cutoff is None else _order_limit(surface, cutoff) for cutoff in cutoffs]
     highest_order = max((int(limit) for limit in order_limits if limit is not None), default=0)
     unfiltered = surface
-    if side == "short" and None not in cutoffs:
+    if side == "short" and None not in cutoffs:  # Nothing needs the unfiltered surface.
         _refuse_coarser(2 * highest_order + 2, pixels)
     elif pixels != surface.pixels:
         unfiltered = interpolate(surface, pixels)

@@ -22,7 +22,7 @@ class HeightMap:
 
     Heights increase away from the material. The pixel size (nm) is also the spacing of the points
     of a line scan. A periodic map repeats beyond its borders. The source is ``"measured"`` or
-    ``"substitute"``. Maps that are read are square, as `pixels` and `size` assume.
+    ``"substitute"``. `pixels` and `size` assume a square: other maps are cropped when read.
     """
 
     heights: np.ndarray
@@ -30,10 +30,10 @@ class HeightMap:
     periodic: bool = False
     source: str = "measured"
     path: str = "scan"  #: Path of the file, as messages name it.
-    #: The scan of a container, or the channel of another file, that was asked for, as in
-    #: surfaces.tsv; empty for the only or the default one.
+    #: The scan of a container, or the channel of another file, that the user names; empty for the
+    #: only or the default one.
     dataset: str = ""
-    channel: str = ""  #: Name of the channel that was read, whoever chose it.
+    channel: str = ""  #: Name of the channel that was read, also if it is the default one.
     file_unit: str = "nm"  #: Unit of length that the file, its container or the user states.
     tip_radius: float | None = None  #: In nm, if the file or its container states one.
     notes: tuple[str, ...] = ()  #: What was changed or chosen in reading, each in one line.
@@ -134,18 +134,18 @@ def to_surface_topography(scan: HeightMap) -> "Topography | UniformLineScan":
 
 
 def mirror_scan(scan: HeightMap) -> HeightMap:
-    """Return a scan and its mirror images as a periodic map (2y, 2x), as in the paper."""
-    upper_half = np.concatenate([scan.heights, scan.heights[:, ::-1]], axis=1)
-    heights = np.concatenate([upper_half, upper_half[::-1]], axis=0)
+    """Return a map and its mirror images as a periodic map (2y, 2x), as in the paper."""
+    mirrored_along_x = np.concatenate([scan.heights, scan.heights[:, ::-1]], axis=1)
+    heights = np.concatenate([mirrored_along_x, mirrored_along_x[::-1]], axis=0)
     return replace(scan, heights=heights, periodic=True)
 
 
 def mirror_in_float32(scan: HeightMap) -> HeightMap:
-    """Return the mirrored map of a scan in float32, the precision of the study's files."""
+    """Return the mirrored map in float32, the precision of the study's files."""
     return mirror_scan(replace(scan, heights=scan.heights.astype(np.float32)))
 
 
 def refuse_line_scan(scan: HeightMap) -> None:
-    """Raise ValueError for a line scan, which has no map of heights."""
+    """Raise ValueError for a line scan."""
     if scan.kind != "map":
         raise ValueError(f"{scan.path}: expected a height map, found a line scan")

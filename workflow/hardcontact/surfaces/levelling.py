@@ -1,6 +1,7 @@
 """Levelling: planes, bows and spheres are subtracted from scans, streaks filled, lines aligned.
 
-A streak is a piece of a scan line along which the tip loses the surface, or carries a particle.
+A streak is a piece of one to three scan lines along which the tip loses the surface, or carries a
+particle. Its neighbours are the lines before and after it.
 """
 
 from collections.abc import Callable, Iterator
@@ -23,18 +24,18 @@ from hardcontact.surfaces.height_map import (
 
 Mask = NDArray[np.bool_]
 
-#: Least distance of a streak from both lines beside it, in typical steps from line to line: one
-#: Gaussian step in 10⁹ is so large.
+#: Some pixel of a streak is farther than this from both neighbours, in typical steps between lines:
+#: one Gaussian step in 10⁹ is so large.
 MIN_STREAK_STEPS = 6.0
-#: Least number of pixels of a streak along a line: fewer may be a particle.
+#: All pixels of a streak are farther than this from both neighbours, in typical steps.
+MIN_END_STEPS = 1.0
+#: Least pixels of a streak along a line: fewer may be a particle on the surface.
 MIN_STREAK_PIXELS = 8
 #: A streak is longer than this multiple of the longest run across the lines, which is real.
 MIN_LENGTH_RATIO = 2
-#: Least distance of all pixels of a streak from both lines, in typical steps.
-MIN_END_STEPS = 1.0
 #: Widths of streaks in lines.
 STREAK_WIDTHS = (1, 2, 3)
-#: Largest number of rounds: a streak may appear only when its neighbour is filled.
+#: Largest number of rounds: filling a streak may show another one beside it.
 MAX_FILLINGS = 20
 
 
@@ -51,10 +52,11 @@ def level_plane(scan: HeightMap) -> HeightMap:
     return replace(scan, heights=levelled.T)
 
 
-def squared_projections(phase: Floats) -> tuple[Floats, Floats]:
-    """Return the shares of the variance of waves that the mean and the slope of a line contain."""
-    # Squared projections of exp(2 i `phase` u), |u| <= 1/2, on 1 and sqrt(12) u.
-    return scipy.special.spherical_jn(0, phase) ** 2, 3 * scipy.special.spherical_jn(1, phase) ** 2
+def squared_projections(half_phase: Floats) -> tuple[Floats, Floats]:
+    """Return the shares of the mean square of a wave that the mean and slope of a line contain."""
+    # Squared projections of exp(2 i `half_phase` u), |u| <= 1/2, on 1 and sqrt(12) u.
+    spherical_jn = scipy.special.spherical_jn
+    return spherical_jn(0, half_phase) ** 2, 3 * spherical_jn(1, half_phase) ** 2
 
 
 def level_lines(scan: HeightMap) -> HeightMap:
@@ -86,13 +88,13 @@ LEVELLING_METHODS: dict[str, Callable[[HeightMap], HeightMap]] = {
 def remove_form(
     scan: HeightMap, sphere_radius: float | None = None, levelling: str = "plane"
 ) -> HeightMap:
-    """Return a levelled scan; first the sphere that a map shows (radius in nm) is subtracted."""
+    """Return a levelled map without its sphere (radius in nm), or a line scan minus its line."""
     if levelling not in LEVELLING_METHODS:
         raise ValueError(f"levelling: expected {', '.join(LEVELLING_METHODS)}, found {levelling}")
     if scan.kind == "line scan":
         return level_plane(scan)
     if sphere_radius is not None:
-        # Elsewhere than at the centre, the apex would only add a plane, which levelling removes.
+        # An apex off the centre would only add a plane, which levelling removes.
         rows, columns = scan.heights.shape
         y = (np.arange(rows) - (rows - 1) / 2) * scan.pixel_size
         x = (np.arange(columns) - (columns - 1) / 2) * scan.pixel_size
@@ -109,7 +111,7 @@ MIRRORED_TITLE = "scan and its mirror images, periodic"
 def level_and_mirror(
     scan: HeightMap, sphere_radius: float | None = None, levelling: str = "plane"
 ) -> tuple[xr.Dataset, xr.Dataset]:
-    """Return a levelled map and its mirrored map as datasets, in float32."""
+    """Return datasets of the levelled map, with its sphere as scanned, and of the mirrored map."""
     refuse_line_scan(scan)
     flat = remove_form(scan, sphere_radius, levelling)
     levelled = flat.to_dataset()
@@ -121,7 +123,7 @@ def level_and_mirror(
 
 
 def _find_streaks(heights: Floats) -> Iterator[Mask]:
-    """Yield by width the mask (y, x) of streaks along x, all above or all below other lines."""
+    """Yield a mask (y, x) of streaks for each width, all above or all below their neighbours."""
     for width in STREAK_WIDTHS:
         x_lengths = [_run_lengths(_high_runs(steps)) for steps in _rise_and_fall(heights, width)]
         y_lengths = [_run_lengths(_high_runs(steps)) for steps in _rise_and_fall(heights.T, width)]
@@ -133,7 +135,7 @@ def _find_streaks(heights: Floats) -> Iterator[Mask]:
 
 
 def fill_streaks(heights: Floats) -> tuple[Floats, Mask]:
-    """Return heights (y, x) whose streaks are filled from the lines beside them, and their mask."""
+    """Return heights (y, x) with streaks filled from their neighbours, and the mask of streaks."""
     filled_heights = np.array(heights)
     is_filled = np.zeros(heights.shape, bool)
     for _ in range(MAX_FILLINGS):
@@ -154,10 +156,10 @@ def _rise_and_fall(heights: Floats, width: int) -> tuple[Floats, Floats]:
     """Return how far pixels rise above and fall below both lines `width` away, in typical steps."""
     padded = np.pad(heights, ((width, width), (0, 0)), constant_values=np.nan)
     line_before, line_after = padded[: -2 * width], padded[2 * width :]
-    # A streak of one line at the border has one neighbour; wider ones there have NaN.
+    # At the border, a streak of one line has one neighbour; wider ones have NaN.
     lower, upper = (np.fmin, np.fmax) if width == 1 else (np.minimum, np.maximum)
     typical_step = np.median(np.abs(heights[width:] - heights[:-width])) / MEDIAN_DEVIATION
-    scale = max(typical_step, np.finfo(np.float32).tiny)
+    scale = max(typical_step, np.finfo(np.float32).tiny)  # Not zero on a flat scan.
     rise = heights - upper(line_before, line_after)
     depth = lower(line_before, line_after) - heights
     return rise / scale, depth / scale
@@ -178,7 +180,7 @@ def _run_lengths(mask: Mask) -> NDArray[np.intp]:
 
 
 def _high_runs(steps: Floats) -> Mask:
-    """Return the mask of runs above MIN_END_STEPS that reach MIN_STREAK_STEPS somewhere."""
+    """Return the mask of runs along x above MIN_END_STEPS that exceed MIN_STREAK_STEPS once."""
     is_certain = steps > MIN_STREAK_STEPS
     if not is_certain.any():
         return is_certain

@@ -7,7 +7,7 @@ import xarray as xr
 
 from hardcontact.surfaces.height_map import HeightMap
 
-#: Metrics of a height map with their units and long names; those of Table 1 are in its order.
+#: Units and long names of metrics.
 METRICS = {
     "rms_height": ("nm", "rms height"),
     "rms_gradient": ("1", "rms gradient (2D slope)"),
@@ -18,7 +18,7 @@ METRICS = {
     "kurtosis": ("1", "kurtosis of heights (3 for a Gaussian)"),
     "peak_to_valley": ("nm", "peak to valley"),
 }
-#: By row of Table 1 for AFM scans: its metric. The paper does not define slope and curvature.
+#: Metrics by rows of Table 1 for AFM scans. The paper does not define slope and curvature.
 TABLE1_METRICS = {
     "afm_rms_height": "rms_height",
     "afm_rms_slope": "rms_gradient",
@@ -44,7 +44,7 @@ def metrics(scan: HeightMap) -> dict[str, float]:
     Returns
     -------
     dict of str to float
-        The metrics by name, such as ``rms_height``. Heights are in nm, curvatures in 1/nm.
+        The metrics by name, such as ``rms_height``: heights in nm, curvatures in 1/nm.
 
     Examples
     --------
@@ -55,26 +55,26 @@ def metrics(scan: HeightMap) -> dict[str, float]:
     pixel_size = scan.pixel_size
     slope_y = np.diff(heights, axis=0)[:, :-1] / pixel_size
     slope_x = np.diff(heights, axis=1)[:-1] / pixel_size
-    bend = np.diff(heights, 2, axis=0)[:, 1:-1] + np.diff(heights, 2, axis=1)[1:-1]
-    laplacian = float(np.sqrt((bend**2).mean())) / pixel_size**2
+    second_differences = np.diff(heights, 2, axis=0)[:, 1:-1] + np.diff(heights, 2, axis=1)[1:-1]
+    rms_laplacian = float(np.sqrt((second_differences**2).mean())) / pixel_size**2
     flat_heights = heights.ravel()
-    centred = flat_heights - flat_heights.mean()
-    square = centred**2
-    variance = square.mean()
+    deviations = flat_heights - flat_heights.mean()
+    squares = deviations**2
+    variance = squares.mean()
     return {
         "rms_height": float(flat_heights.std()),
         "rms_gradient": float(np.sqrt((slope_x**2 + slope_y**2).mean())),
         "rms_profile_slope": float(np.sqrt((slope_x**2).mean())),
-        "rms_half_laplacian": laplacian / 2,
-        "rms_laplacian": laplacian,
-        "skewness": float((square * centred).mean() / variance**1.5),
-        "kurtosis": float((square**2).mean() / variance**2),
+        "rms_half_laplacian": rms_laplacian / 2,
+        "rms_laplacian": rms_laplacian,
+        "skewness": float((squares * deviations).mean() / variance**1.5),
+        "kurtosis": float((squares**2).mean() / variance**2),
         "peak_to_valley": float(np.ptp(flat_heights)),
     }
 
 
 def metrics_dataset(scan: HeightMap, names: Iterable[str]) -> xr.Dataset:
-    """Return the METRICS of a scan with these names."""
+    """Return METRICS of a scan, by their names, as variables."""
     scan_metrics = metrics(scan)
     variables = {}
     for name in names:

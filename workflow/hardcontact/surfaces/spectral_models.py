@@ -1,4 +1,4 @@
-"""Models of C_iso (nm⁴) over wavevectors (rad/nm), for the segments of a description."""
+"""Models of C_iso (nm⁴) over wavevectors (rad/nm), for segments of a description."""
 
 from collections.abc import Callable
 
@@ -17,7 +17,7 @@ def self_affine(wavevector: Floats, plateau: float, rolloff: float, hurst: float
 def varying_hurst(
     wavevector: Floats, plateau: float, rolloff: float, hurst: float, hurst_change: float
 ) -> Floats:
-    """Return C_iso whose Hurst exponent changes linearly with the logarithm of wavelength.
+    """Return C_iso whose Hurst exponent changes by `hurst_change`, H', per decade of wavevector.
 
     C_iso = C_0 10^(-(2 + 2H) x - H' x²), x = log10(q/q_r), below the roll-off (nm); above, C_0.
     """
@@ -39,16 +39,16 @@ SPECTRAL_MODELS: dict[str, tuple[Callable[..., Floats], tuple[str, ...]]] = {
 
 
 def power_law_extrapolation(density: Floats, hurst: float) -> Floats:
-    """Return C_iso ∝ q^(-2-2H) below the shortest wavelength of C_iso on WAVEVECTORS, else zero."""
+    """Return C_iso ∝ q^(-2-2H) below the shortest wavelength of C_iso `density`, zero above it."""
     if not density.any():
         raise ValueError("power law: expected a segment at longer wavelengths, found none")
     last_index = density.nonzero()[0][-1]
-    relative = WAVEVECTORS / WAVEVECTORS[last_index]
-    return np.where(relative > 1, density[last_index] * relative ** (-2 - 2 * hurst), 0.0)
+    ratio = WAVEVECTORS / WAVEVECTORS[last_index]
+    return np.where(ratio > 1, density[last_index] * ratio ** (-2 - 2 * hurst), 0.0)
 
 
 def shares_of_longer_waves(shortest: float) -> Floats:
-    """Return for each of WAVEVECTORS the share of its interval in ln q above a wavelength (nm)."""
+    """Return the share above a wavelength (nm) of the interval in ln q around each WAVEVECTORS."""
     step = np.log(WAVEVECTORS[1] / WAVEVECTORS[0])
     distance_in_steps = np.log(2 * np.pi / (shortest * WAVEVECTORS)) / step
     return np.asarray(np.clip(distance_in_steps + 0.5, 0, 1))
@@ -73,12 +73,12 @@ def isotropic_through_points(wavevector: Floats, wavelengths: Floats, profile: F
     log_points = np.log(2 * np.pi / wavelengths)
     log_profile = np.log(profile)
     hurst = (-np.polyfit(log_points, log_profile, 1)[0] - 1) / 2
-    order = np.argsort(log_points)
-    log_points, log_profile = log_points[order], log_profile[order]
+    sorting = np.argsort(log_points)
+    log_points, log_profile = log_points[sorting], log_profile[sorting]
     log_wavevector = np.log(wavevector)
-    # The first and the last segment are extrapolated beyond the points.
-    segment = np.clip(np.searchsorted(log_points, log_wavevector) - 1, 0, len(log_points) - 2)
-    slope = np.diff(log_profile)[segment] / np.diff(log_points)[segment]
-    log_distance = log_wavevector - log_points[segment]
-    profile_density: Floats = np.exp(log_profile[segment] + slope * log_distance)
-    return profile_density / profile_over_isotropic(wavevector, hurst)
+    # The first and the last interval are extrapolated beyond the points.
+    interval = np.clip(np.searchsorted(log_points, log_wavevector) - 1, 0, len(log_points) - 2)
+    slope = np.diff(log_profile)[interval] / np.diff(log_points)[interval]
+    log_distance = log_wavevector - log_points[interval]
+    interpolated_profile: Floats = np.exp(log_profile[interval] + slope * log_distance)
+    return interpolated_profile / profile_over_isotropic(wavevector, hurst)

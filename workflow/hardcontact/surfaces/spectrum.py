@@ -1,4 +1,4 @@
-"""Power spectral densities (PSDs): tables, their rms values, and PSDs of scans.
+"""Power spectral densities (PSDs): tables, rms values of tables, and PSDs of scans.
 
 - C_iso = |h~|²/A in nm⁴ of a map, with h_rms² = 1/(2 pi) ∫ q C_iso dq;
 - C_1D = |h~|²/L in nm³ of profiles along a line, with h_rms² = (1/pi) ∫ C_1D dq.
@@ -26,20 +26,19 @@ if TYPE_CHECKING:
 
 #: A function that returns C_iso at wavevectors of any shape.
 SpectrumFunction = Callable[[Floats], Floats]
-#: The grid on which joined spectra are tabulated: 40 points a decade, wavelengths 1 mm to 0.1 nm.
+#: Wavevectors (rad/nm) of tables: 40 points a decade, wavelengths 1 mm to 0.1 nm.
 WAVEVECTORS = 2 * np.pi * np.logspace(-6, 1, 281)
 LOG_WAVEVECTORS = np.log(WAVEVECTORS)
-#: Edges of the bins of measured PSDs: ten a decade.
+#: Edges (rad/nm) of the bins of measured PSDs: ten a decade, 100 µm to 0.1 nm.
 BIN_EDGES = 2 * np.pi * np.logspace(-5, 1, 61)
 BIN_CENTRES = np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
 #: Width of a bin in ln q.
 BIN_WIDTH = float(np.log(BIN_EDGES[1] / BIN_EDGES[0]))
 #: Bins in half a decade.
 HALF_DECADE_BINS = 5
-#: Fewest bins of a joined spectrum: a slope with an error needs three.
+#: Fewest bins of a spectrum from scans: a slope with an error needs three.
 MIN_BINS = 3
-#: Arguments with which SurfaceTopography measures PSDs at all wavelengths: `scans.reliable_band`
-#: finds the reliable ones.
+#: Arguments of SurfaceTopography. `scans.reliable_band` finds the reliable wavelengths.
 PSD_ARGUMENTS = {"window": "hann", "reliable": False, "collocation": BIN_EDGES}
 
 

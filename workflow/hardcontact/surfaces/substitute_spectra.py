@@ -1,8 +1,8 @@
 """Spectra of substitutes from descriptions: segments of wavelengths, each with its model.
 
 Blank parameters are calibrated on the paper's Table 1. A model of the waves that scans show is
-fitted to rms height, slope and curvature of the scans. A power law for shorter waves is fitted to
-slope and curvature over all scales.
+fitted to the rms height, slope and curvature of scans. A power law for shorter waves, the tail, is
+fitted to slope and curvature over all scales.
 """
 
 from functools import cache
@@ -37,22 +37,22 @@ DESCRIPTION_NUMBERS = (
 )  # fmt: skip
 #: Values of `evidence` of segments that come from data, not from inference or assumption.
 DATA_EVIDENCE = ("published", "measured")
-#: Largest factor on an assumed roll-off: NCD and MCD then reach their longest wave.
+#: Largest factor on an assumed roll-off: NCD and MCD then reach their longest wave, 3 µm.
 ROLLOFF_FACTOR = 1.5
-#: Largest number of samples until one can be calibrated: every second one of NCD and MCD can.
+#: Largest number of samples until one can be calibrated: every second sample of NCD and MCD can.
 MAX_SAMPLES = 100
-#: Rows of Table 1 to which the spectrum of scans, and the tail of shorter waves, are fitted.
+#: Rows of Table 1 to which the spectrum of scans and the tail are fitted.
 AFM_ROWS = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
 TAIL_ROWS = ("all_rms_slope", "all_rms_curvature")
 #: Rows of Table 1 to which a model is calibrated if its Hurst exponent is blank.
 CALIBRATION_ROWS = {"self-affine": AFM_ROWS, "varying Hurst": AFM_ROWS, "power law": TAIL_ROWS}
 #: Wavevectors (bins,) in rad/nm, and the weights (3, bins) of C_iso at them.
 Weights = tuple[Floats, Floats]
-#: Bins of wavevectors in which weights are added up: they are 0.2 % wide.
+#: Number of bins of wavevectors, each 0.2 % wide.
 BIN_COUNT = 4000
 #: Rows of the grid of wavevectors that are added at a time.
 ROWS_AT_A_TIME = 512
-#: Relative error at which a number of Table 1 counts as met: far below its digits.
+#: Relative error below which a number of Table 1 counts as met: far below the printed digits.
 MET_ERROR = 1e-9
 #: Calibrated parameters by model, and parameters whose logarithms are searched.
 SEARCHED_PARAMETERS = {
@@ -60,9 +60,9 @@ SEARCHED_PARAMETERS = {
     "varying Hurst": ("plateau_nm4", "hurst", "hurst_change"),
 }
 LOGARITHMIC_PARAMETERS = ("plateau_nm4", "rolloff_nm")
-#: First guesses of parameters but the plateau, as they are searched: a typical polished surface.
+#: First guesses (the roll-off as a logarithm) of all but the plateau: a typical polished surface.
 FIRST_GUESSES = {"rolloff_nm": np.log(1000.0), "hurst": 0.9, "hurst_change": 0.0}
-#: A fit ends when rounding alone changes it, so that its rows are met to MET_ERROR.
+#: A fit ends when only rounding changes it, so that rows of Table 1 are met to MET_ERROR.
 FIT_TOLERANCES: dict[str, Any] = {"xtol": 1e-15, "ftol": 1e-15, "gtol": 1e-15}
 #: Bounds of the Hurst exponent of a tail: wide, since published numbers may fit none in 0 to 1.
 TAIL_HURST_BOUNDS = (-6.0, 5.0)
@@ -72,7 +72,7 @@ TAIL_HURST_BOUNDS = (-6.0, 5.0)
 def scan_rms_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weights:
     """Return wavevectors (bins,) and weights (3, bins) for the expected rms values of a scan.
 
-    Squared rms values are weights @ C_iso. The scan of `window_pixels` per row is cut out of a
+    Squared rms values (3,) are weights @ C_iso. The scan of `window_pixels` per row is cut out of a
     periodic surface of `pixels` per row, and levelled.
     """
     q_y = 2 * np.pi * np.abs(np.fft.fftfreq(pixels, pixel_size))
@@ -83,20 +83,20 @@ def scan_rms_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weig
     # Margins keep the lowest and the highest wavevector within the bins.
     edges = np.geomspace(q_x[1] * 0.999, highest * 1.001, BIN_COUNT + 1)
     mean, slope = squared_projections(q_y * window_pixels * pixel_size / 2)
-    # The squared difference operator along one axis.
+    # Finite differences along one axis multiply squared amplitudes by this.
     difference = (2 * np.sin(q_y * pixel_size / 2) / pixel_size) ** 2
-    mean_x, slope_x, difference_x = (values[: len(q_x)] for values in (mean, slope, difference))
+    mean_x, slope_x, difference_x = (factor[: len(q_x)] for factor in (mean, slope, difference))
     weights = np.zeros((3, BIN_COUNT))
     for start in range(0, pixels, ROWS_AT_A_TIME):
         rows = slice(start, start + ROWS_AT_A_TIME)
         mean_y, slope_y = mean[rows, None], slope[rows, None]
         removed = mean_y * mean_x + slope_y * mean_x + mean_y * slope_x
-        laplacian = difference[rows, None] + difference_x
+        gradient = difference[rows, None] + difference_x
         wavenumber = np.hypot(q_y[rows, None], q_x)
         if start == 0:
-            wavenumber[0, 0] = q_x[1]  # The mean has no weight, but needs a bin.
+            wavenumber[0, 0] = q_x[1]  # The mean height has no weight, but needs a bin.
         index = np.searchsorted(edges, wavenumber.ravel()) - 1
-        for k, factor in enumerate((1 - removed, laplacian, laplacian**2 / 4)):
+        for k, factor in enumerate((1 - removed, gradient, gradient**2 / 4)):
             weights[k] += np.bincount(index, (wave_count * factor).ravel(), BIN_COUNT)
     return np.sqrt(edges[1:] * edges[:-1]), weights / (pixels * pixel_size) ** 2
 
@@ -114,7 +114,7 @@ def paper_scan_weights(constants: pd.DataFrame) -> Weights:
 
 
 def calibrate_model(segment: pd.Series, table1: pd.DataFrame, weights: Weights) -> dict[str, float]:
-    """Return parameters of a segment that make scans meet AFM_ROWS; ValueError if none do."""
+    """Return parameters with which scans meet AFM_ROWS; raises ValueError if no parameters do."""
     model, names = SPECTRAL_MODELS[segment.model]
     searched = SEARCHED_PARAMETERS[segment.model]
     published_rms = table1.loc[list(AFM_ROWS), "value"].to_numpy(float)
@@ -131,7 +131,7 @@ def calibrate_model(segment: pd.Series, table1: pd.DataFrame, weights: Weights) 
         scan_rms = expected_scan_rms(Spectrum(WAVEVECTORS, density), weights)
         return np.asarray(np.log(scan_rms / published_rms))
 
-    # The plateau follows from the rms height and a roll-off of 1 µm; x_scale has typical steps.
+    # The plateau follows from the rms height and a roll-off of 1000 nm; x_scale has typical steps.
     log_plateau = 2 * np.log(published_rms[0] * 1000)
     first_guess = [log_plateau, *(FIRST_GUESSES[name] for name in searched[1:])]
     fit = scipy.optimize.least_squares(
@@ -150,9 +150,9 @@ def calibrate_model(segment: pd.Series, table1: pd.DataFrame, weights: Weights) 
 def calibrate_tail(
     longer_waves: Floats, gradient: float, half_laplacian: float
 ) -> dict[str, float]:
-    """Return Hurst exponent and shortest wavelength (nm) of a power law below a spectrum.
+    """Return Hurst exponent and shortest wavelength (nm) of the tail below C_iso `longer_waves`.
 
-    It adds the rms gradient and half-Laplacian (1/nm) that C_iso `longer_waves` lacks.
+    The tail adds what `longer_waves` lack of the rms gradient and half-Laplacian (1/nm).
     """
     _, *longer_rms = all_scales_rms(Spectrum(WAVEVECTORS, longer_waves))
     missing_squares = [gradient**2 - longer_rms[0] ** 2, half_laplacian**2 - longer_rms[1] ** 2]
@@ -176,7 +176,7 @@ def calibrate_tail(
     def laplacian_excess(shortest: float) -> float:
         return excess(find_hurst(shortest), shortest, 1)
 
-    # If tails add the same gradient, the tail that ends later adds more to the half-Laplacian.
+    # Of tails that add the same gradient, one that ends at a shorter wave adds more half-Laplacian.
     lowest, highest = TAIL_HURST_BOUNDS
     possible_ends = [end for end in ends if excess(lowest, end, 0) > 0 > excess(highest, end, 0)]
     if not possible_ends:
@@ -189,20 +189,20 @@ def calibrate_tail(
 
 
 def read_segments(path: str | Path) -> pd.DataFrame:
-    """Read the segments of a description of a spectrum, without blanks around its cells."""
+    """Read the segments of a description of a spectrum, without blanks around the cells."""
     cells: pd.DataFrame = pd.read_csv(path, dtype=str).apply(lambda column: column.str.strip())
     return cells.replace("", np.nan).astype(dict.fromkeys(DESCRIPTION_NUMBERS, float))
 
 
 def needs_calibration(segments: pd.DataFrame) -> bool:
-    """Return True if a description leaves parameters to a calibration on Table 1."""
+    """Return True if a description leaves parameters to calibration on Table 1."""
     return bool((segments.hurst.isna() & segments.model.isin(CALIBRATION_ROWS)).any())
 
 
 def spectrum_from_description(
     path: str | Path, table1: pd.DataFrame, weights: Weights, segments: pd.DataFrame | None = None
 ) -> tuple[Floats, pd.DataFrame, list[str]]:
-    """Return C_iso (nm⁴) on WAVEVECTORS, calibrated segments, and the rows of Table 1 they meet."""
+    """Return C_iso (nm⁴) on WAVEVECTORS, the calibrated segments, and their CALIBRATION_ROWS."""
     segments = read_segments(path) if segments is None else segments.copy()
     density = np.zeros_like(WAVEVECTORS)
     calibrated_rows = list[str]()
@@ -226,7 +226,7 @@ def spectrum_from_description(
 
 
 def _segment_density(segment: pd.Series, longer_waves: Floats, folder: Path) -> Floats:
-    """Return C_iso of one segment on WAVEVECTORS, zero outside it."""
+    """Return C_iso of one segment on WAVEVECTORS, zero outside the segment."""
     if segment.model == "power law":
         return power_law_extrapolation(longer_waves, segment.hurst) * (
             shares_of_longer_waves(segment.shortest_nm) > 0
@@ -235,20 +235,19 @@ def _segment_density(segment: pd.Series, longer_waves: Floats, folder: Path) -> 
         columns = ["wavelength_nm", "c1d_nm3"]
         points = pd.read_csv(folder / segment.table, usecols=columns, dtype=float)[columns]
         wavelengths, profile = points.to_numpy().T
-        model = isotropic_through_points(WAVEVECTORS, wavelengths, profile)
+        density = isotropic_through_points(WAVEVECTORS, wavelengths, profile)
     else:
-        model_function, names = SPECTRAL_MODELS[segment.model]
-        model = model_function(WAVEVECTORS, *(segment[name] for name in names))
+        model, names = SPECTRAL_MODELS[segment.model]
+        density = model(WAVEVECTORS, *(segment[name] for name in names))
     wavelength = 2 * np.pi / WAVEVECTORS
-    return np.where(
-        (wavelength <= segment.longest_nm) & (wavelength > segment.shortest_nm), model, 0.0
-    )
+    is_inside = (wavelength <= segment.longest_nm) & (wavelength > segment.shortest_nm)
+    return np.where(is_inside, density, 0.0)
 
 
 def sample_permitted_spectrum(
     rng: np.random.Generator, description: str | Path, table1: pd.DataFrame, constants: pd.DataFrame
 ) -> Spectrum:
-    """Sample a spectrum that Table 1 permits: that of the description, if it has no blanks."""
+    """Sample a spectrum that Table 1 permits; without blanks, return that of the description."""
     segments = read_segments(description)
     weights = paper_scan_weights(constants)
     rows = list(AFM_ROWS)
@@ -262,7 +261,7 @@ def sample_permitted_spectrum(
             sampled_table1.loc[rows, "value"] += rng.standard_normal(len(rows)) * errors
             sampled_segments.loc[is_free, "rolloff_nm"] *= ROLLOFF_FACTOR ** rng.uniform(-1, 1)
         try:
-            with np.errstate(over="ignore"):  # A search may try absurd parameters.
+            with np.errstate(over="ignore"):  # A fit may try absurd parameters.
                 density, *_ = spectrum_from_description(
                     description, sampled_table1, weights, sampled_segments
                 )
@@ -274,7 +273,7 @@ def sample_permitted_spectrum(
 
 
 def described_rms_height(path: str | Path, longest: float) -> float:
-    """Return the rms height of waves up to a wavelength (nm), from a description without blanks."""
+    """Return the rms height (nm) of waves up to a wavelength (nm); no parameter may be blank."""
     no_weights = np.empty(0), np.empty((3, 0))
     density, _, _ = spectrum_from_description(path, pd.DataFrame(), no_weights)
     is_kept = 2 * np.pi / WAVEVECTORS <= longest

@@ -3,7 +3,7 @@
 A substitute has a spectrum calibrated on Table 1, a grid of scans, and targets: the published
 statistics that batches of its scans meet. A smooth gain of amplitudes gives a batch the mean rms
 height, slope and curvature. A factor on the heights of each scan gives the batch the standard
-deviation of rms heights. The gain is bounded, so that a batch may miss slope or curvature.
+deviation of rms heights. A batch may miss slope or curvature because the gain is bounded.
 """
 
 import math
@@ -45,16 +45,16 @@ from hardcontact.surfaces.synthesis import (
     white_noise_transform,
 )
 
-#: Largest ratio of the amplitudes of a component and of the first component, or its inverse.
+#: Largest ratio, either way, of the gains of long and of middle or short waves.
 MAX_AMPLITUDE_RATIO = 4.0
 
 
 class Targets(NamedTuple):
     """The statistics that a batch of scans of one surface meets."""
 
-    means: Mapping[str, float]  #: Mean height, slope and curvature, by `metrics.METRICS`.
+    means: Mapping[str, float]  #: Mean rms height (nm), slope, curvature (1/nm), by TABLE1_METRICS.
     rms_height_std: float  #: Standard deviation of the rms heights in nm (ddof 1).
-    met_rows: tuple[str, ...]  #: Names of the rows of Table 1 that these targets meet.
+    met_rows: tuple[str, ...]  #: Names of the rows of Table 1 that the means equal.
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,10 +100,10 @@ class Substitute:
         met_rows = [row for row in AFM_ROWS if holds_on_grid[row] and row in calibrated_rows]
         for row in met_rows:
             rms_values[AFM_ROWS.index(row)] = self.table1.loc[row, "value"]
-        height = self.table1.loc["afm_rms_height"]
+        height_row = self.table1.loc["afm_rms_height"]
         return Targets(
             means=dict(zip(TABLE1_METRICS.values(), rms_values.tolist(), strict=True)),
-            rms_height_std=float(rms_values[0] * height["uncertainty"] / height["value"]),
+            rms_height_std=float(rms_values[0] * height_row["uncertainty"] / height_row["value"]),
             met_rows=tuple(met_rows),
         )
 
@@ -138,7 +138,7 @@ def scale_rms_heights(rms_heights: Floats, mean: float, std: float) -> Floats:
 
 
 def _component_shares(grid: ScanGrid) -> Floats:
-    """Return the shares of amplitude of long, middle and short waves: (3, points)."""
+    """Return the shares of long, middle and short waves in amplitudes: (3, points)."""
     longest, shortest = grid.size, 2 * grid.pixel_size
     log_position = np.log(longest * WAVEVECTORS / (2 * np.pi)) / np.log(longest / shortest)
     # Each share gives way to the next as a squared sine.
@@ -148,6 +148,8 @@ def _component_shares(grid: ScanGrid) -> Floats:
 
 
 def _multiply_amplitudes(spectrum: SpectrumFunction, amplitude_gain: Floats) -> SpectrumFunction:
+    """Return the spectrum of waves whose amplitudes are multiplied by a gain on WAVEVECTORS."""
+
     def multiplied_spectrum(wavevector: Floats) -> Floats:
         with np.errstate(divide="ignore"):
             factors = np.interp(np.log(wavevector), np.log(WAVEVECTORS), amplitude_gain)
@@ -157,7 +159,7 @@ def _multiply_amplitudes(spectrum: SpectrumFunction, amplitude_gain: Floats) -> 
 
 
 def _scan_components(substitute: Substitute, shares: Floats, scan_number: int) -> list[HeightMap]:
-    """Return the levelled components of a scan, whose heights add up to the scan."""
+    """Return the long, middle and short waves of a scan, levelled; they add up to the scan."""
     grid = substitute.grid
     rng = substitute.generator(scan_number, "scan")
     transform = white_noise_transform(rng, grid.surface_pixels)
@@ -166,7 +168,7 @@ def _scan_components(substitute: Substitute, shares: Floats, scan_number: int) -
 
 
 def _metric_matrices(components: Sequence[HeightMap], names: Sequence[str]) -> Floats:
-    """Return for each metric a matrix G: the square of the metric of a sum a_k h_k is aᵀ G a."""
+    """Return for each rms value a matrix G: aᵀ G a is its square for a sum of heights a_k h_k."""
 
     def squared_metrics(heights: np.ndarray) -> Floats:
         scan_metrics = metrics(replace(components[0], heights=heights))
@@ -195,8 +197,8 @@ def _fit_batch(matrices: Floats, targets: Targets) -> tuple[Floats, Floats, Floa
         amplitudes = np.exp(np.append(0.0, log_amplitudes))
         scan_rms = np.sqrt(np.einsum("smij,i,j->sm", matrices, amplitudes, amplitudes))
         rms_heights = scan_rms[:, 0]
-        target = targets.means["rms_height"], targets.rms_height_std
-        factors = scale_rms_heights(rms_heights, *target) / rms_heights
+        scaled_rms_heights = scale_rms_heights(rms_heights, means[0], targets.rms_height_std)
+        factors = scaled_rms_heights / rms_heights
         return (factors[:, None] * scan_rms).mean(axis=0) / means - 1, factors
 
     def slope_and_curvature_errors(log_amplitudes: Floats) -> Floats:

@@ -1,7 +1,7 @@
 """Random surfaces from a spectrum, substitute scans cut out of them, and masters (Fig. 6).
 
-In a master random waves replace those of a scan beyond a transition. Surfaces and masters are
-periodic, scans are not.
+A master is a mirrored scan with artificial roughness: random waves in place of those beyond a
+wavelength, the transition. Random surfaces and masters are periodic, scans are not.
 """
 
 from collections.abc import Mapping
@@ -36,9 +36,9 @@ def white_noise_transform(rng: np.random.Generator, pixels: int) -> Transform:
 
 
 def _set_psd(transform: Transform, pixel_size: float, spectrum: SpectrumFunction) -> None:
-    """Scale the transform of white noise, in place, so that its surface has a spectrum."""
+    """Scale the transform of white noise, in place, to that of a surface with a spectrum."""
     pixels = len(transform)
-    row_count = pixels // 2 + 1  # Other rows have the opposite y.
+    row_count = pixels // 2 + 1  # Other rows have the opposite wavevector along y.
     q = 2 * np.pi * np.fft.rfftfreq(pixels, pixel_size)
     for start in range(0, row_count, BLOCK_ROWS):
         rows = np.arange(start, min(start + BLOCK_ROWS, row_count))
@@ -70,17 +70,17 @@ def sample_scan(
 def scan_of_noise(
     transform: Transform, spectrum: SpectrumFunction, grid: ScanGrid, factor: float = 1.0
 ) -> HeightMap:
-    """Return the scan that a transform of white noise makes: the corner of a random surface."""
+    """Return the corner of the random surface from a transform of white noise, as a scan."""
     scaled = transform.copy()
     _set_psd(scaled, grid.pixel_size, spectrum)
-    # Only rows of the corner are transformed along x, which saves time.
+    # Only rows of the corner are transformed along x, to save time.
     rows = scipy.fft.ifft(scaled, axis=0, overwrite_x=True)[: grid.pixels]
     heights = scipy.fft.irfft(rows, len(transform), axis=1)[:, : grid.pixels]
     return HeightMap(factor * heights.astype(float), grid.pixel_size, source="substitute")
 
 
 def add_sphere_shape(rng: np.random.Generator, roughness: HeightMap, radius: float) -> HeightMap:
-    """Return a scan of a rough sphere (radius in nm), its apex within the middle half."""
+    """Return a scan of a rough sphere (radius in nm), its apex in the middle half of x and y."""
     apex = rng.uniform(-0.25, 0.25, 2) * roughness.size
     position = (np.arange(roughness.pixels) + 0.5) * roughness.pixel_size - roughness.size / 2
     y, x = position - apex[0], position - apex[1]
@@ -94,10 +94,10 @@ def short_edge_master(
     transition: float,
     spectrum: SpectrumFunction,
 ) -> HeightMap:
-    """Return a mirrored scan whose wavelengths below the transition (nm) are artificial.
+    """Return a mirrored scan with artificial roughness below the transition (nm).
 
-    C_iso of the random surface is constant above the transition, which adds some long waves, as in
-    the paper, section Determining the Most Relevant Length-scales of Roughness.
+    C_iso of that roughness is constant above the transition. This adds some long waves, as in the
+    paper, section Determining the Most Relevant Length-scales of Roughness.
     """
     long_waves = lowpass(mirrored, transition)
     transition_q = 2 * np.pi / transition
@@ -115,7 +115,7 @@ def long_edge_master(
     transition: float,
     spectrum: SpectrumFunction,
 ) -> HeightMap:
-    """Return a repeated scan whose wavelengths above the transition (nm) are artificial."""
+    """Return (tiles, tiles) mirrored scans with artificial roughness above the transition (nm)."""
     repeated = replace(mirrored, heights=np.tile(mirrored.heights, (tiles, tiles)))
     long_waves = lowpass(repeated, transition)
     # The margin keeps waves exactly at the transition artificial in spite of rounding.
@@ -138,7 +138,7 @@ SIDES = tuple(SEED_WORDS)
 def master_generator(
     seed: int, surface_name: str, realization: int, side: str, stream: str
 ) -> np.random.Generator:
-    """Return the random generator of a master; `stream` names its purpose."""
+    """Return the random generator of a master; `stream` names the purpose of the master."""
     return generator(seed, surface_name, realization, f"{SEED_WORDS[side]}-scale {stream}")
 
 
@@ -149,7 +149,7 @@ def synthesize_master(
     settings: Mapping[str, Any],
     spectrum: SpectrumFunction,
 ) -> HeightMap:
-    """Return the periodic master of a side from a mirrored scan and random waves."""
+    """Return the master of a side from a mirrored scan and the settings of the side."""
     transition = settings["transition"]
     if side == "short":
         return short_edge_master(rng, mirrored, settings["pixels"], transition, spectrum)

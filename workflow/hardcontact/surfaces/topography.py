@@ -26,15 +26,15 @@ def measured_roughness(scan: HeightMap) -> xr.Dataset:
 
 
 def scan_averages(scans: xr.Dataset, confidence: float) -> xr.Dataset:
-    """Return for every metric (surface, scan) the mean, its interval and the standard deviation."""
+    """Return mean, interval of the mean, and standard deviation of each metric (surface, scan)."""
     variables: dict[str, Any] = {}
-    for name, values in scans.data_vars.items():
-        interval = student_interval(values, confidence, "scan")
-        mean = values.mean("scan").values
+    for name, metric in scans.data_vars.items():
+        interval = student_interval(metric, confidence, "scan")
+        mean = metric.mean("scan").values
         variables |= as_variables(
-            f"{name}_mean", ["surface"], mean, interval.values, values.attrs, confidence
+            f"{name}_mean", ["surface"], mean, interval.values, metric.attrs, confidence
         )
-        variables[f"{name}_std"] = ("surface", values.std("scan", ddof=1).values, values.attrs)
+        variables[f"{name}_std"] = ("surface", metric.std("scan", ddof=1).values, metric.attrs)
     return xr.Dataset(variables)
 
 
@@ -45,7 +45,7 @@ def topography_dataset(
     examples: Mapping[str, xr.Dataset],
     confidence: float,
 ) -> xr.Dataset:
-    """Return the topography of all surfaces: every scan, averages, spectra and example maps.
+    """Return the topography of all surfaces: scans, averages, spectra and example maps.
 
     `scans` come from `measured_roughness`, by surface and number, `conditionings` from
     `condition_batch` or `make_featured_scans`, `examples` from `level_and_mirror`.
@@ -61,8 +61,8 @@ def topography_dataset(
         ],
         combine_attrs="override",
     )
-    calibrated = [conditionings.get(name, spectra[name]) for name in surface_names]
-    met_rows = [data.attrs["table1_rows_met"] for data in calibrated]
+    calibrations = [conditionings.get(name, spectra[name]) for name in surface_names]
+    met_rows = [calibration.attrs["table1_rows_met"] for calibration in calibrations]
     return table.assign(table1_rows_met=("surface", met_rows)).assign_attrs(confidence=confidence)
 
 
@@ -85,7 +85,7 @@ def _spectra(datasets: list[xr.Dataset], wavevector: Floats) -> xr.Dataset:
 
 
 def _maps(examples: list[xr.Dataset]) -> xr.Dataset:
-    """Return example maps, evenly thinned to the smallest number of pixels, with their sizes."""
+    """Return example maps, evenly thinned to the pixels of the coarsest, and their full sizes."""
     pixels = min(len(example["x"]) for example in examples)
 
     def thin(heights: xr.DataArray) -> np.ndarray:
