@@ -1,4 +1,4 @@
-"""Periodic maps and bodies to bring into contact, in the units of the library."""
+"""Periodic maps and bodies to bring into contact."""
 
 from dataclasses import replace
 
@@ -9,6 +9,7 @@ from hardcontact.contact.geometry import Bodies, ContactGeometry, contact_positi
 from hardcontact.surfaces.height_map import HeightMap
 
 RADIUS = 250e3  # nm
+#: Lengths in nm, preload in N, hardness in Pa, work in J/m².
 CONTACT = Contact(
     radius=RADIUS,
     preload=10e-6,
@@ -20,7 +21,7 @@ CONTACT = Contact(
 )
 LOADED_CONTACTS = [CONTACT, replace(CONTACT, preload=40e-6)]
 #: Pixels, pixel size (nm), rms height (nm), pixels of the sphere's roughness and pixels of the
-#: window; cells of the map fit the window or not.
+#: window. Cells of `bearing_area` divide maps and windows, or not.
 MAP_CASES = [
     (128, 40.0, 20.0, 128, 320),
     (100, 50.0, 3.0, 100, 250),
@@ -30,7 +31,7 @@ MAP_CASES = [
 
 
 def periodic_noise(pixels, rms, seed):
-    """Return periodic noise (pixels, pixels) in nm, smoothed below a third of the period."""
+    """Return noise (pixels, pixels) of an rms height (nm), smooth below a third of its period."""
     rng = np.random.default_rng(seed)
     noise = np.fft.rfft2(rng.standard_normal((pixels, pixels)))
     order = np.hypot(np.fft.fftfreq(pixels)[:, None], np.fft.rfftfreq(pixels)) * pixels
@@ -39,7 +40,7 @@ def periodic_noise(pixels, rms, seed):
 
 
 def periodic_map(heights, pixel_size):
-    """Return a periodic substitute."""
+    """Return a periodic substitute from heights (nm)."""
     return HeightMap(heights, pixel_size, True, "substitute")
 
 

@@ -6,7 +6,7 @@ import pytest
 from hardcontact.surfaces.height_map import HeightMap, to_surface_topography
 from hardcontact.surfaces.levelling import level_lines, level_plane, remove_form
 
-RADIUS = 250e3
+RADIUS = 250e3  # nm
 
 
 @pytest.mark.parametrize("shape", [(64, 64), (9, 12)])
@@ -29,7 +29,7 @@ def test_levelling_by_lines_subtracts_a_fit_and_a_median_from_each_line():
 
 def test_a_sphere_is_removed_wherever_its_apex_lies():
     wave = np.cos(2 * np.pi * np.arange(64) * 8 / 64) * np.ones((64, 1))
-    y, x = (np.mgrid[:64, :64] - 20.3) * 40.0
+    y, x = (np.mgrid[:64, :64] - 20.3) * 40.0  # The apex is at y = 500 nm, x = 0.
     sphere = HeightMap(wave - (x**2 + (y - 500) ** 2) / (2 * RADIUS), 40.0)
     flat = remove_form(sphere, RADIUS)
     np.testing.assert_allclose(flat.heights, level_plane(HeightMap(wave, 10.0)).heights, atol=1e-8)

@@ -12,8 +12,8 @@ from hardcontact.surfaces.metrics import metrics
 def test_metrics_equal_those_of_surface_topography_and_scipy(shape):
     heights = np.random.default_rng(3).standard_normal(shape).cumsum(axis=0)
     scan = HeightMap(heights, 4.9)
-    values, topography = metrics(scan), to_surface_topography(scan)
-    for name, value in (
+    scan_metrics, topography = metrics(scan), to_surface_topography(scan)
+    for name, library_metric in (
         ("rms_height", topography.Sq()),
         ("rms_gradient", topography.rms_gradient()),
         ("rms_profile_slope", topography.Rdq()),
@@ -22,4 +22,4 @@ def test_metrics_equal_those_of_surface_topography_and_scipy(shape):
         ("skewness", stats.skew(scan.heights, axis=None)),
         ("kurtosis", stats.kurtosis(scan.heights, axis=None, fisher=False)),
     ):
-        assert values[name] == pytest.approx(value, rel=1e-13)
+        assert scan_metrics[name] == pytest.approx(library_metric, rel=1e-13)

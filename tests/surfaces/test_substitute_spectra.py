@@ -19,7 +19,7 @@ from hardcontact.surfaces.substitute_spectra import expected_scan_rms, scan_rms_
 from hardcontact.surfaces.synthesis import random_surface
 
 
-def test_no_self_affine_spectrum_has_the_scans_of_ncd():
+def test_no_self_affine_spectrum_meets_the_afm_rows_of_ncd():
     segment = pd.Series({"model": "self-affine", "rolloff_nm": np.nan})
     weights = scan_rms_weights(2048, PIXEL, 512)
     with pytest.raises(ValueError, match="expected a model .* missed by .* %"):
@@ -29,11 +29,12 @@ def test_no_self_affine_spectrum_has_the_scans_of_ncd():
 @pytest.mark.parametrize(
     ("rms_values", "message"),
     [
+        # The longer waves have a larger gradient; no tail has so large a half-Laplacian (1/nm).
         ((0.01, 6.32), "that a power law below .* can add, found 0.01 and 6.32"),
         ((0.5, 200.0), "that a power law below .* can add, found 0.5 and 200"),
     ],
 )
-def test_a_tail_beyond_a_power_law_is_refused(rms_values, message):
+def test_rms_values_that_no_tail_can_add_are_refused(rms_values, message):
     longer_waves = np.where(2 * np.pi / WAVEVECTORS > 20, UNCD.density, 0)
     with pytest.raises(ValueError, match=message):
         substitute_spectra.calibrate_tail(longer_waves, *rms_values)
@@ -45,7 +46,7 @@ NO_TABLE1 = pd.DataFrame({"value": [], "uncertainty": []})
 
 @pytest.fixture
 def write_description(tmp_path):
-    """Return a function that writes a description of some segments and returns its path."""
+    """Return a function that writes segments to a description and returns its path."""
 
     def write(*segments):
         path = tmp_path / "surface.csv"
@@ -83,19 +84,19 @@ def test_segments_with_all_parameters_follow_their_models(write_description, tmp
         density[is_profile],
         spectral_models.isotropic_through_points(WAVEVECTORS, *points)[is_profile],
     )
-    tail = (WAVEVECTORS > 2 * np.pi / 7) & (WAVEVECTORS < 2 * np.pi / 0.33)
-    slopes = np.diff(np.log(density[tail])) / np.diff(np.log(WAVEVECTORS[tail]))
-    np.testing.assert_allclose(slopes, -3)
+    is_tail = (WAVEVECTORS > 2 * np.pi / 7) & (WAVEVECTORS < 2 * np.pi / 0.33)
+    slopes = np.diff(np.log(density[is_tail])) / np.diff(np.log(WAVEVECTORS[is_tail]))
+    np.testing.assert_allclose(slopes, -3)  # -2 - 2H
     assert (density[WAVEVECTORS > 2 * np.pi / 0.29] == 0).all()
 
 
 @pytest.mark.parametrize("surface", SURFACES)
-def test_default_spectra_are_continuous(surface):
+def test_default_spectra_have_no_jumps(surface):
     density = default_spectrum(surface).spectrum.values
-    density = density[density > 0][:-1]  # the last cell counts by its share
-    step = np.diff(np.log(density)) / np.diff(np.log(WAVEVECTORS[: len(density)]))
+    density = density[density > 0][:-1]  # The last point has only a share of the power law.
+    slopes = np.diff(np.log(density)) / np.diff(np.log(WAVEVECTORS[: len(density)]))
     # A jump by a factor of two between two of 40 points a decade is a slope of 12.
-    assert np.abs(step).max() < 6
+    assert np.abs(slopes).max() < 6
 
 
 @pytest.mark.parametrize("surface", SUBSTRATES)
@@ -111,7 +112,7 @@ def test_default_spectra_meet_table_1(surface):
         assert (np.abs(scan_rms - table1.value[afm_rows]) < table1.uncertainty[afm_rows] / 2).all()
     else:
         np.testing.assert_allclose(scan_rms, table1.value[afm_rows], rtol=1e-9)
-    if surface != "polished_uncd":  # a Gaussian surface that Table 1 rejects
+    if surface != "polished_uncd":  # Its Gaussian substitute misses Table 1.
         error = height - table1.value["all_rms_height"]
         assert abs(error) < table1.uncertainty["all_rms_height"]
 
@@ -124,10 +125,10 @@ def test_permitted_spectra_scatter_like_the_means_of_table_1(write_description):
     path = write_description("inf,6.5,self-affine,,,,,")
     deviations = []
     for k in range(8):
-        density = substitute_spectra.sample_permitted_spectrum(
+        spectrum = substitute_spectra.sample_permitted_spectrum(
             generator(3, k), path, table1, CONSTANTS
         )
-        rms_values = expected_scan_rms(density, weights)
+        rms_values = expected_scan_rms(spectrum, weights)
         deviations.append((rms_values - table1.value[rows]) / mean_errors)
     low, high = stats.chi2.ppf([0.001, 0.999], np.size(deviations))
     assert low < np.square(deviations).sum() < high
@@ -135,9 +136,9 @@ def test_permitted_spectra_scatter_like_the_means_of_table_1(write_description):
 
 def test_rms_height_counts_only_waves_up_to_a_wavelength(write_description):
     path = write_description("inf,0.1,self-affine,1e9,1000,1.0,,")
-    # (1/2 pi) of C_0 q_r^2 over the plateau, from 4 µm, and over the slope, q^-4.
-    roll_off, longest = 2 * np.pi / 1000, 2 * np.pi / 4000
-    variance = 1e9 / (2 * np.pi) * ((roll_off**2 - longest**2) / 2 + roll_off**2 / 2)
+    # (1/2 pi) ∫ q C_iso dq: the plateau from 4 µm to the roll-off, then C_iso ∝ q^-4.
+    rolloff_q, lowest_q = 2 * np.pi / 1000, 2 * np.pi / 4000
+    variance = 1e9 / (2 * np.pi) * ((rolloff_q**2 - lowest_q**2) / 2 + rolloff_q**2 / 2)
     assert substitute_spectra.described_rms_height(path, 4000.0) == pytest.approx(
         variance**0.5, rel=2e-3
     )
@@ -151,7 +152,7 @@ def test_expected_rms_values_agree_with_scans():
         surface = random_surface(generator(4, k), 1024, PIXEL, uncd_density)
         for start in range(0, 1024, 256):
             strip = replace(surface, heights=surface.heights[start:])
-            values = metrics(level_plane(cut_scan(strip, 256)))
-            squares.append([values[name] ** 2 for name in TABLE1_METRICS.values()])
-    error = np.std(squares, axis=0) / np.sqrt(len(squares))
-    assert (np.abs(np.mean(squares, axis=0) - rms_values**2) < 4 * error).all()
+            scan_metrics = metrics(level_plane(cut_scan(strip, 256)))
+            squares.append([scan_metrics[name] ** 2 for name in TABLE1_METRICS.values()])
+    standard_error = np.std(squares, axis=0) / np.sqrt(len(squares))
+    assert (np.abs(np.mean(squares, axis=0) - rms_values**2) < 4 * standard_error).all()

@@ -1,4 +1,4 @@
-"""Conditioning of scans: their statistics are the targets, whatever their number and pixels."""
+"""Conditioned scans meet their targets, whatever their number and pixels."""
 
 import numpy as np
 import pandas as pd
@@ -17,7 +17,7 @@ from hardcontact.surfaces.substitutes import Substitute, Targets
 from hardcontact.surfaces.synthesis import ScanGrid
 
 GRID = ScanGrid(pixels=64, size=64 * PIXEL, surface_pixels=256)
-#: Rows of Table 1 of a surface, and the geometry of its scans, as in GRID.
+#: Rows of Table 1 of a surface: heights in nm, curvatures in 1/nm.
 TABLE1 = pd.DataFrame(
     {"value": [20.0, 0.4, 0.05], "uncertainty": [5.0, 0.1, 0.01]}, index=list(AFM_ROWS)
 )
@@ -34,7 +34,7 @@ def make_targets(rms_values, height_std, rows=()):
 
 
 def assert_met(targets, scan_metrics):
-    """Expect the means, and the standard deviation if there is more than one scan."""
+    """Expect the means, and the standard deviation of rms heights of several scans."""
     for name, mean in targets.means.items():
         assert scan_metrics[name].mean() == pytest.approx(mean, rel=1e-6)
     if len(scan_metrics) > 1:
@@ -53,18 +53,18 @@ def spectrum():
     )
 
 
-def synthesized_metrics(source, batch):
-    """Metrics of every synthesized scan of a batch: a column each metric."""
-    scans = (substitutes.conditioned_scan(source, k, batch) for k in batch.scan.values)
+def batch_metrics(surface, batch):
+    """Return a row of metrics for each conditioned scan of a batch."""
+    scans = (substitutes.conditioned_scan(surface, k, batch) for k in batch.scan.values)
     return pd.DataFrame([metrics(level_plane(scan)) for scan in scans])
 
 
-@pytest.mark.parametrize("numbers", [(1,), (1, 2), (6, 7, 8, 9, 10)])
-def test_conditioned_scans_have_the_given_statistics(spectrum, numbers):
+@pytest.mark.parametrize("scan_numbers", [(1,), (1, 2), (6, 7, 8, 9, 10)])
+def test_conditioned_scans_have_the_given_statistics(spectrum, scan_numbers):
     rms_values = spectrum.attrs["expected_scan_rms"] * np.array([1.02, 0.97, 1.01])
     targets = make_targets(rms_values, 0.2 * rms_values[0])
-    batch = substitutes.condition_batch(substitute(spectrum), targets, numbers)
-    assert_met(targets, synthesized_metrics(substitute(spectrum), batch))
+    batch = substitutes.condition_batch(substitute(spectrum), targets, scan_numbers)
+    assert_met(targets, batch_metrics(substitute(spectrum), batch))
 
 
 PAPER_PIXELS = PAPER["substitutes"]["pixels"]
@@ -82,33 +82,35 @@ COARSE_GRID = ScanGrid(pixels=128, size=2500.0, surface_pixels=512)
 def test_scans_of_the_default_study_keep_table_1(surface, count, grid, rows):
     table1 = paper_numbers.table1_rows(surface)
     spectrum = paper_numbers.default_spectrum(surface)
-    source = Substitute(surface, spectrum, table1, paper_numbers.CONSTANTS, grid, PAPER["seed"])
-    targets = source.targets
+    surface_substitute = Substitute(
+        surface, spectrum, table1, paper_numbers.CONSTANTS, grid, PAPER["seed"]
+    )
+    targets = surface_substitute.targets
     assert targets.met_rows == tuple(rows)
     published_means = table1.value[list(rows)]
     np.testing.assert_allclose(list(targets.means.values())[: len(rows)], published_means)
     assert targets.rms_height_std == pytest.approx(table1.uncertainty["afm_rms_height"])
-    batch = substitutes.condition_batch(source, targets, range(1, count + 1))
-    assert_met(targets, synthesized_metrics(source, batch))
+    batch = substitutes.condition_batch(surface_substitute, targets, range(1, count + 1))
+    assert_met(targets, batch_metrics(surface_substitute, batch))
 
 
-def test_a_spectrum_that_is_not_calibrated_has_its_own_targets(spectrum):
-    given_spectrum = spectrum.assign_attrs(table1_rows_met="")
-    targets = substitute(given_spectrum).targets
+def test_the_targets_of_an_uncalibrated_spectrum_are_its_own_rms_values(spectrum):
+    uncalibrated_spectrum = spectrum.assign_attrs(table1_rows_met="")
+    targets = substitute(uncalibrated_spectrum).targets
     rms_values = spectrum.attrs["expected_scan_rms"]
     np.testing.assert_array_equal(list(targets.means.values()), rms_values)
-    assert targets.rms_height_std == pytest.approx(0.25 * rms_values[0])
+    assert targets.rms_height_std == pytest.approx(0.25 * rms_values[0])  # 5/20 in TABLE1
     assert targets.met_rows == ()
 
 
 def test_coarser_pixels_keep_the_rms_height(spectrum):
     coarse = ScanGrid(32, GRID.size, 128)
-    source = substitute(spectrum, coarse)
-    targets = source.targets
+    coarse_substitute = substitute(spectrum, coarse)
+    targets = coarse_substitute.targets
     rms_values = expected_scan_rms(uncd_density, scan_rms_weights(128, 2 * PIXEL, 32))
     np.testing.assert_allclose(list(targets.means.values()), [20.0, *rms_values[1:]], rtol=1e-3)
     assert targets.met_rows == ("afm_rms_height",)
-    batch = substitutes.condition_batch(source, targets, [1, 2])
+    batch = substitutes.condition_batch(coarse_substitute, targets, [1, 2])
     assert batch.attrs["table1_rows_met"] == "afm_rms_height,all_rms_slope"
 
 
@@ -119,7 +121,7 @@ def test_a_surface_without_published_roughness_is_not_conditioned(spectrum):
     np.testing.assert_array_equal(batch.scan, [1, 2])
 
 
-def test_negative_heights_are_refused_in_one_line(spectrum):
+def test_negative_rms_heights_are_refused(spectrum):
     targets = make_targets((20.0, 0.4, 0.05), height_std=40.0)
     message = refusal(substitutes.condition_batch, substitute(spectrum), targets, range(1, 6))
     assert_says(
@@ -127,12 +129,12 @@ def test_negative_heights_are_refused_in_one_line(spectrum):
     )
 
 
-def test_rows_of_table_1_beyond_a_smooth_gain_are_not_met(spectrum):
+def test_a_slope_beyond_the_largest_gain_is_missed_and_the_rms_height_met(spectrum):
     height, slope, curvature = spectrum.attrs["expected_scan_rms"]
     targets = make_targets((height, 0.05 * slope, curvature), 1.0, tuple(TABLE1_METRICS))
     batch = substitutes.condition_batch(substitute(spectrum), targets, [1, 2, 3])
     assert batch.attrs["table1_rows_met"] == "afm_rms_height,all_rms_slope"
-    scan_metrics = synthesized_metrics(substitute(spectrum), batch)
+    scan_metrics = batch_metrics(substitute(spectrum), batch)
     assert scan_metrics.rms_height.mean() == pytest.approx(height, rel=1e-6)
     assert scan_metrics.rms_height.std(ddof=1) == pytest.approx(1.0, rel=1e-6)
 

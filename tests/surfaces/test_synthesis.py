@@ -1,4 +1,4 @@
-"""Random surfaces have their spectrum, scans are their corners, masters keep part of a scan."""
+"""Random surfaces have their spectrum, scans are corners of them, masters keep part of a scan."""
 
 import numpy as np
 import pytest
@@ -20,20 +20,20 @@ from hardcontact.surfaces.synthesis import (
 
 def wavevectors(pixels, pixel_size):
     """Return the magnitudes (rad/nm) of the wavevectors (y, x) of a Fourier transform."""
-    wave = 2 * np.pi * np.fft.fftfreq(pixels, pixel_size)
-    return np.hypot(wave[:, None], wave)
+    q = 2 * np.pi * np.fft.fftfreq(pixels, pixel_size)
+    return np.hypot(q[:, None], q)
 
 
 def test_random_surfaces_have_the_spectrum_that_they_are_made_from():
     pixels, pixel_size = 256, 20.0
-    mean = np.zeros((pixels, pixels))
+    mean_density = np.zeros((pixels, pixels))
     for k in range(60):
         heights = random_surface(generator(2, k), pixels, pixel_size, uncd_density).heights
-        mean += np.abs(np.fft.fft2(heights)) ** 2 * (pixel_size / pixels) ** 2 / 60
-    wave = wavevectors(pixels, pixel_size)
+        mean_density += np.abs(np.fft.fft2(heights)) ** 2 * (pixel_size / pixels) ** 2 / 60
+    q = wavevectors(pixels, pixel_size)
     for low, high in ((0.003, 0.01), (0.01, 0.03), (0.03, 0.1), (0.1, 0.15)):
-        ring = (wave > low) & (wave < high)
-        assert (mean[ring] / uncd_density(wave[ring])).mean() == pytest.approx(1, abs=0.05)
+        ring = (q > low) & (q < high)
+        assert (mean_density[ring] / uncd_density(q[ring])).mean() == pytest.approx(1, abs=0.05)
 
 
 def test_the_apex_of_a_sphere_lies_in_the_middle_half_of_its_scan():
@@ -41,7 +41,7 @@ def test_the_apex_of_a_sphere_lies_in_the_middle_half_of_its_scan():
     for k in range(20):
         scan = add_sphere_shape(generator(k), flat, 250e3)
         row, column = np.unravel_index(scan.heights.argmax(), scan.heights.shape)
-        assert 15 <= row <= 48 and 15 <= column <= 48
+        assert 15 <= row <= 48 and 15 <= column <= 48  # 64 pixels, rounded outwards
         np.testing.assert_allclose(remove_form(scan, 250e3).heights, 0, atol=1e-9)
 
 
@@ -57,11 +57,12 @@ def test_a_scan_is_the_corner_of_a_random_surface():
 
 @pytest.fixture(scope="module")
 def mirrored():
+    """A mirrored scan of UNCD: 128 pixels of 20 nm per row."""
     return mirror_scan(levelled_scan(generator(6), 64, 20.0))
 
 
 def band(surface, low, high):
-    """The part with wavelengths between low and high, on the surface's own grid."""
+    """The heights of waves between two wavelengths (nm)."""
     wavevector = wavevectors(surface.pixels, surface.pixel_size)
     is_kept = (wavevector < 2 * np.pi / low * 0.999) & (wavevector > 2 * np.pi / high * 1.001)
     return np.fft.ifft2(np.fft.fft2(surface.heights) * is_kept).real
@@ -75,16 +76,16 @@ def test_short_edge_master_keeps_the_scan_above_the_transition(mirrored):
 
 
 def test_short_edge_master_adds_the_spectrum_below_and_a_plateau_above(mirrored):
-    # The scan's part set to zero: what is left is the added roughness alone.
+    # On a flat scan, only the added roughness remains.
     flat = HeightMap(np.zeros_like(mirrored.heights), 20.0, periodic=True)
     masters = [short_edge_master(generator(9, k), flat, 512, 100.0, UNCD) for k in range(8)]
     powers = [np.abs(np.fft.fft2(master.heights)) ** 2 for master in masters]
     power = np.mean(powers, axis=0) * (5 / 512) ** 2
     wavevector = wavevectors(512, 5.0)
-    edge = 2 * np.pi / 100.0
-    is_long = (wavevector < edge) & (wavevector > 0)
-    is_short = (wavevector > edge) & (wavevector < 0.5)
-    assert power[is_long].mean() == pytest.approx(uncd_density(edge), rel=0.02)
+    transition_q = 2 * np.pi / 100.0
+    is_long = (wavevector < transition_q) & (wavevector > 0)
+    is_short = (wavevector > transition_q) & (wavevector < 0.5)
+    assert power[is_long].mean() == pytest.approx(uncd_density(transition_q), rel=0.02)
     assert (power[is_short] / uncd_density(wavevector[is_short])).mean() == pytest.approx(
         1, abs=0.05
     )

@@ -39,10 +39,10 @@ def table(maps):
 
 
 def test_the_table_has_every_scan_and_nan_for_missing_scans(table, maps):
-    for (surface, scan), heights in maps.items():
-        row = table.sel(surface=surface, scan=scan)
-        assert row.rms_height == metrics(heights)["rms_height"]
-        _, _, isotropic_psd = measured_psds(heights)
+    for (surface, number), scan in maps.items():
+        row = table.sel(surface=surface, scan=number)
+        assert row.rms_height == metrics(scan)["rms_height"]
+        _, _, isotropic_psd = measured_psds(scan)
         np.testing.assert_array_equal(row.isotropic_psd, isotropic_psd)
     assert np.isnan(table.rms_height.sel(surface="ruby", scan=2))
     assert list(table.table1_rows_met.values) == ["uncd", "afm_rms_height"]
