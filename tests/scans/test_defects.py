@@ -12,13 +12,13 @@ from hardcontact.scans.defects import DEFECTS, level_and_list_defects
 from hardcontact.surfaces.features import Features, add_features
 from hardcontact.surfaces.spectral_models import smooth_rolloff
 
-PIXEL, PIXELS = 20.0, 128
+PIXEL, PIXELS = 20.0, 128  # nm, and pixels per row
 SIZE = PIXELS * PIXEL
 Y, X = np.indices((PIXELS, PIXELS)) * PIXEL - SIZE / 2
 
 
 def rough(seed, rms_height, hurst=0.7, rolloff=SIZE / 10):
-    """Heights of a self-affine map with an rms height."""
+    """Return heights (y, x) of a self-affine map with a mean of zero; all lengths in nm."""
     heights = self_affine_heights(generator(seed), PIXELS, PIXEL, rms_height, hurst, rolloff)
     return heights - heights.mean()
 
@@ -27,7 +27,7 @@ def defects_of(heights):
     return level_and_list_defects(measurement(heights, PIXEL)).defects
 
 
-def add_spikes(seed, share):
+def map_with_spikes(seed, share):
     heights = rough(seed, 12.0)
     rng = generator(seed + 1)
     positions = rng.choice(heights.size, round(share * heights.size), replace=False)
@@ -37,18 +37,18 @@ def add_spikes(seed, share):
     return heights
 
 
-def add_streaks(seed, sign):
-    """Streaks on lines 10, 11 and 90 of a rough map."""
+def map_with_streaks(seed, sign):
+    """Return a rough map with streaks of 25 nm on lines 10, 11 and 90, counted from 1."""
     heights = rough(seed, 3.0)
     for line, start, length in ((9, 20, 30), (10, 35, 12), (89, 60, 25)):
         heights[line, start : start + length] += sign * 25
     return heights
 
 
-def stop_scan(seed, lines, filling, axis=0):
+def stopped_scan(seed, lines, filling, axis=0):
+    """Return a map that is measured on its first lines only, and then zero or the last line."""
     heights = rough(seed, 5.0) + 40
-    filling_heights = heights[lines - 1] if filling == "repeated" else 0.0
-    heights[lines:] = filling_heights
+    heights[lines:] = heights[lines - 1] if filling == "repeated" else 0.0
     return heights if axis == 0 else heights.T
 
 
@@ -58,12 +58,12 @@ def grating(period, degrees):
     return 15 * wave + rough(9, 0.7)
 
 
-def curved(seed, rms_height, radius_x, radius_y):
+def curved_map(seed, rms_height, radius_x, radius_y):
     return rough(seed, rms_height) - X**2 / (2 * radius_x) - Y**2 / (2 * radius_y)
 
 
-def pillars(rng):
-    """Round pillars, twenty rms heights of the floor high."""
+def map_with_pillars(rng):
+    """Return a map with round pillars of 40 nm on a floor of 1 nm rms height."""
     centres = rng.uniform(0, PIXELS, (60, 2))
     rows, columns = np.indices((PIXELS, PIXELS))
     is_pillar = np.zeros((PIXELS, PIXELS), bool)
@@ -73,54 +73,55 @@ def pillars(rng):
 
 
 ROUGH = rough(3, 6.0)
-#: Long waves alike in all directions, and a short one along y whose crests are straight.
+#: Isotropic long waves, and a short wave along y with an amplitude of 2.5 nm, five pixels long.
 LONG_WAVES = gaussian_filter(rough(45, 1.0), 6, mode="wrap")
 LONG_WAVES *= 6 / LONG_WAVES.std()
 SHORT_WAVE = 2.5 * np.cos(2 * np.pi * Y / (5 * PIXEL))
+#: Rms slope along y of both, from the steps of the short wave between pixels.
 SHORT_SLOPE = np.hypot(
     2 * np.pi * 2.5 / (5 * PIXEL) / np.sqrt(2) * np.sinc(1 / 5),
     np.diff(LONG_WAVES, axis=0).std() / PIXEL,
 )
-#: Heights, and the defects that they have with the numbers that they were made with, in the order
-#: of DEFECTS; None stands for a number that is not known.
+#: Heights, and their defects with the numbers with which they were made, in the order of DEFECTS.
+#: None stands for a number that is not known.
 CASES = {
-    "few spikes": (add_spikes(11, 10 / PIXELS**2), {"spikes": (10 / PIXELS**2, 12.0)}),
-    "spikes": (add_spikes(12, 2e-3), {"spikes": (2e-3, 12.0)}),
-    "many spikes": (add_spikes(13, 0.03), {"spikes": (0.03, 12.0)}),
-    "streaks": (add_streaks(14, 1), {"streaks": (3, 10, 90, 3.0)}),
-    "streaks below": (add_streaks(14, -1), {"streaks": (3, 10, 90, 3.0)}),
-    "stopped, zero": (stop_scan(21, 96, "zero"), {"equal_lines": [0.25]}),
-    "stopped, repeated": (stop_scan(22, 64, "repeated"), {"equal_lines": [0.5]}),
-    "stopped, along y": (stop_scan(23, 100, "repeated", 1), {"equal_lines": [28 / PIXELS]}),
-    "clipped at the top": (np.minimum(ROUGH, np.quantile(ROUGH, 0.96)), {"highest": [0.04]}),
+    "few spikes": (map_with_spikes(11, 10 / PIXELS**2), {"spikes": (10 / PIXELS**2, 12.0)}),
+    "spikes": (map_with_spikes(12, 2e-3), {"spikes": (2e-3, 12.0)}),
+    "many spikes": (map_with_spikes(13, 0.03), {"spikes": (0.03, 12.0)}),
+    "streaks": (map_with_streaks(14, 1), {"streaks": (3, 10, 90, 3.0)}),
+    "streaks below": (map_with_streaks(14, -1), {"streaks": (3, 10, 90, 3.0)}),
+    "stopped, zero": (stopped_scan(21, 96, "zero"), {"equal_lines": (0.25,)}),
+    "stopped, repeated": (stopped_scan(22, 64, "repeated"), {"equal_lines": (0.5,)}),
+    "stopped, along y": (stopped_scan(23, 100, "repeated", 1), {"equal_lines": (28 / PIXELS,)}),
+    "clipped at the top": (np.minimum(ROUGH, np.quantile(ROUGH, 0.96)), {"highest": (0.04,)}),
     "clipped at both ends": (
         np.clip(ROUGH, *np.quantile(ROUGH, [0.05, 0.99])),
-        {"highest": [0.01], "lowest": [0.05]},
+        {"highest": (0.01,), "lowest": (0.05,)},
     ),
     "clipped, quantised": (
-        np.round(np.minimum(ROUGH, 9.0), 1), {"highest": [(ROUGH >= 8.95).mean()]},
+        np.round(np.minimum(ROUGH, 9.0), 1), {"highest": ((ROUGH >= 8.95).mean(),)},
     ),
     "ball": (
-        curved(31, 1.0, 30e3, 30e3),
+        curved_map(31, 1.0, 30e3, 30e3),
         {"curvature": (30e3, 1 / np.hypot(1, (X**2 + Y**2).std() / 60e3))},
     ),
-    "bow": (curved(32, 0.5, -60e3, -120e3), {"curvature": (60e3, None)}),
-    "cylinder": (curved(33, 0.5, 1e5, np.inf), {"curvature": (1e5, None)}),
-    "grating": (grating(300, 0), {"lay": [None]}),
-    "oblique grating": (grating(700, 45), {"lay": [None]}),
+    "bow": (curved_map(32, 0.5, -60e3, -120e3), {"curvature": (60e3, None)}),
+    "cylinder": (curved_map(33, 0.5, 1e5, np.inf), {"curvature": (1e5, None)}),
+    "grating": (grating(300, 0), {"lay": (None,)}),
+    "oblique grating": (grating(700, 45), {"lay": (None,)}),
     "step": (
-        np.where(X > SIZE / 8, 18.0, 0.0) + rough(41, 0.6), {"lay": [None], "sidewalls": [None]}
+        np.where(X > SIZE / 8, 18.0, 0.0) + rough(41, 0.6), {"lay": (None,), "sidewalls": (None,)}
     ),
     "offset lines": (
-        rough(43, 0.2) + generator(44).normal(0, 0.3, (PIXELS, 1)), {"offset_lines": [0.3]},
+        rough(43, 0.2) + generator(44).normal(0, 0.3, (PIXELS, 1)), {"offset_lines": (0.3,)},
     ),
     "noise": (
         rough(46, 0.2, 1.0, SIZE / 4) + generator(47).normal(0, 0.1, X.shape),
-        {"noise": [0.1, 0.2]},
+        {"noise": (0.1, 0.2)},
     ),
-    "lay of short waves": (LONG_WAVES + SHORT_WAVE, {"slopes": [None, SHORT_SLOPE]}),
-    "lay": (gaussian_filter(generator(42).standard_normal(X.shape), (12, 2)), {"lay": [None]}),
-    "pillars": (pillars(generator(62)), {"sidewalls": [None]}),
+    "lay of short waves": (LONG_WAVES + SHORT_WAVE, {"slopes": (None, SHORT_SLOPE)}),
+    "lay": (gaussian_filter(generator(42).standard_normal(X.shape), (12, 2)), {"lay": (None,)}),
+    "pillars": (map_with_pillars(generator(62)), {"sidewalls": (None,)}),
 }  # fmt: skip
 
 
@@ -135,15 +136,17 @@ def test_each_defect_is_named_with_its_numbers(case):
             assert true_number is None or number == pytest.approx(true_number, rel=0.05)
 
 
-def add_wide_streak(seed):
-    """A streak on three neighbouring lines."""
+def map_with_wide_streak(seed):
+    """Return a rough map with a streak of 25 nm on three neighbouring lines."""
     heights = rough(seed, 3.0)
     heights[40:43, 30:60] += 25
     return heights
 
 
 @pytest.mark.parametrize(
-    ("heights", "largest_error"), [(add_streaks(14, 1), 25 / 5), (add_wide_streak(14), 25 / 2)]
+    ("heights", "largest_error"),
+    # Parts of the 25 nm of a streak: the lines beside its middle are farther if it is wide.
+    [(map_with_streaks(14, 1), 25 / 5), (map_with_wide_streak(14), 25 / 2)],
 )
 def test_levelling_of_lines_fills_streaks(heights, largest_error):
     flat = level_and_list_defects(measurement(heights, PIXEL), levelling="lines")
@@ -163,25 +166,24 @@ def test_no_self_affine_surface_has_a_defect(batch):
         assert not level_and_list_defects(random_map(rng, 64, PIXEL, density)).defects
 
 
-def with_bumps(seed):
+def map_with_bumps(seed):
     scan = measurement(rough(seed, 5.0), PIXEL)
     bumps = Features(number_density=3.0, height=35.0, width=40.0, base_factor=1.0, counts=(20,))
     return add_features(generator(seed), scan, bumps, 20).heights
 
 
-@pytest.mark.parametrize(
-    "heights",
-    [
-        with_bumps(61),
-        np.exp(rough(63, 0.6)),
-        generator(64).standard_normal((PIXELS, PIXELS)),
-        np.round(rough(65, 0.05), 1),
-        np.round(rough(66, 1.0)),
-        generator(67).normal(0, 0.05, 64),
-        np.round(rough(68, 1.0)[0], 1),
-        np.zeros(64),
-    ],
-    ids=["bumps", "heavy tail", "noise", "few levels", "levels", "line", "digits", "flat line"],
-)  # fmt: skip
-def test_no_sound_scan_has_a_defect(heights):
-    assert not defects_of(heights)
+SOUND_SCANS = {
+    "bumps": map_with_bumps(61),
+    "heavy tail": np.exp(rough(63, 0.6)),
+    "noise": generator(64).standard_normal((PIXELS, PIXELS)),
+    "few levels": np.round(rough(65, 0.05), 1),
+    "levels": np.round(rough(66, 1.0)),
+    "line": generator(67).normal(0, 0.05, 64),
+    "rounded line": np.round(rough(68, 1.0)[0], 1),
+    "flat line": np.zeros(64),
+}
+
+
+@pytest.mark.parametrize("name", SOUND_SCANS)
+def test_no_sound_scan_has_a_defect(name):
+    assert not defects_of(SOUND_SCANS[name])
