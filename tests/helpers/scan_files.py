@@ -9,7 +9,7 @@ from SurfaceTopography.Container.SurfaceContainer import InMemorySurfaceContaine
 
 
 def random_heights(*shape):
-    """Return random heights, by default on 32 x 32 pixels."""
+    """Return white Gaussian noise of unit variance, by default on 32 x 32 pixels."""
     return np.random.default_rng(1).standard_normal(shape or (32, 32))
 
 
@@ -22,7 +22,7 @@ def write_scan(path, values=None, sizes=(320.0, 320.0), unit="nm"):
 
 
 def write_container(path, entries, files):
-    """Write a container with these entries of meta.yml and these files: name -> path."""
+    """Write a container with entries of scans in its meta.yml, and files: name -> path."""
     with zipfile.ZipFile(path, "w") as archive:
         archive.writestr("meta.yml", yaml.safe_dump({"surfaces": [{"topographies": entries}]}))
         for name, file in files.items():
@@ -64,15 +64,16 @@ def write_described_array(topography, path):
     write_container(path, [entry | {"unit": topography.unit}], {"a.npy": array})
 
 
-#: Writers of a topography of SurfaceTopography, by the data that they can hold.
-MAPS_AND_LINES = {
+#: Writers of a map or a line scan of SurfaceTopography to a path, by the suffix of the file.
+SCAN_WRITERS = {
     "nc": lambda topography, path: topography.to_netcdf(str(path)),
     "asc": lambda topography, path: topography.to_matrix(str(path)),
     "xyz": write_coordinates,
     "array.zip": write_described_array,
     "zip": lambda topography, path: InMemorySurfaceContainer([topography]).to_zip(str(path)),
 }
-MAPS = MAPS_AND_LINES | {
+#: Writers of a map, also those that take no line scan.
+MAP_WRITERS = SCAN_WRITERS | {
     "gwy": lambda topography, path: topography.to_gwy(str(path)),
     "x3p": lambda topography, path: topography.to_x3p(str(path)),
 }
@@ -88,12 +89,12 @@ def write_nanoscope(path, values, size, channels=("Height",)):
     head = [r"\*File list", r"\Version: 0x07200000", r"\*Scanner list"]
     head += [r"\@Sens. Zsens: V 10 nm/V", r"\@Sens. Phase: V 1 deg/V"]
     for number, channel in enumerate(channels):
-        sens = "Phase" if channel == "Phase" else "Zsens"
+        sensitivity = "Phase" if channel == "Phase" else "Zsens"
         head += [r"\*Ciao image list", rf"\Samps/line: {columns}", rf"\Number of lines: {rows}"]
         head += [rf"\Scan Size: {size[0]} {size[1]} nm", rf"\Data length: {len(data)}"]
         head += [rf"\Data offset: {4096 + number * len(data)}", r"\Bytes/pixel: 2"]
         head += [rf"\@2:Image Data: S [{channel}] \"{channel}\""]
-        head += [rf"\@2:Z scale: V [Sens. {sens}] (0.01 V/LSB) {0.01 * 2**16} V"]
+        head += [rf"\@2:Z scale: V [Sens. {sensitivity}] (0.01 V/LSB) {0.01 * 2**16} V"]
     text = "\r\n".join([*head, r"\*File list end", ""]).encode("latin-1")
     path.write_bytes(text.ljust(4096, b"\0") + data * len(channels))
     return path

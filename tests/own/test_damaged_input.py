@@ -7,7 +7,7 @@ import time
 import numpy as np
 import pytest
 from repository import DESCRIPTION_HEADER, ROOT
-from scan_files import MAPS, write_nanoscope
+from scan_files import MAP_WRITERS, write_nanoscope
 from SurfaceTopography import Topography
 
 from hardcontact.config.descriptions import refuse_description
@@ -58,7 +58,7 @@ def scans(folder):
     """Return small scans in several formats, and the available real scans, by file name."""
     heights = np.random.default_rng(1).standard_normal((20, 20))
     topography = Topography(heights, (200.0, 200.0), unit="nm")
-    for kind, write in MAPS.items():
+    for kind, write in MAP_WRITERS.items():
         write(topography, folder / f"a.{kind}")
     write_nanoscope(folder / "a.di", (10 * heights).astype(int), (200, 200))
     paths = [*folder.iterdir(), *(ROOT / "../shared/scans").glob("*.[dz]i*")]

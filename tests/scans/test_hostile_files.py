@@ -29,87 +29,95 @@ class Payload:
         return os.mkdir, (str(self.folder),)
 
 
-def archive(path, files):
+def write_zip(path, files):
     """Write a zip archive: name -> content."""
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as target:
         for name, content in files.items():
             target.writestr(name, content)
 
 
-def text(values):
+def matrix_text(values):
+    """Return the text of a matrix."""
     lines = io.StringIO()
     np.savetxt(lines, values)
     return lines.getvalue()
 
 
-def scan_list(dataset="a.txt", **other):
-    """A container's meta.yml with one scan, called one."""
+def meta_yml(dataset="a.txt", **other):
+    """Return the list of a container of one scan, called one."""
     entry = {"name": "one", "datafile": {"original": dataset}, "size": [320, 320], "unit": "nm"}
     return yaml.safe_dump({"surfaces": [{"topographies": [entry | other]}]})
 
 
-def container(path, content, dataset="a.txt"):
-    archive(path, {"meta.yml": scan_list(dataset), dataset: content})
+def write_one_scan(path, content, dataset="a.txt"):
+    """Write a container of one scan with this content."""
+    write_zip(path, {"meta.yml": meta_yml(dataset), dataset: content})
 
 
-def listing(content):
-    """Write a container of one good text with this list of scans."""
-    return lambda path: archive(path, {"meta.yml": content, "a.txt": text(random_heights())})
+def list_writer(content):
+    """Return a writer of a container of one good text, with this list of scans."""
+    return lambda path: write_zip(
+        path, {"meta.yml": content, "a.txt": matrix_text(random_heights())}
+    )
 
 
-def hdf5(write_content, is_in_container):
-    """Write an HDF5 file, alone or in a container."""
+def hdf5_writer(write_content, is_in_container):
+    """Return a writer of an HDF5 file, alone or in a container."""
 
     def write_file(path):
         file = path.with_suffix(".h5") if is_in_container else path
         with h5py.File(file, "w") as target:
             write_content(target, path.parent / "outside.h5")
         if is_in_container:
-            container(path, file.read_bytes(), "a.h5")
+            write_one_scan(path, file.read_bytes(), "a.h5")
 
     return write_file
 
 
-def external_storage(file, outside_path):
+def add_external_storage(file, outside_path):
     file.create_dataset("h", (32, 32), "f8", external=[(str(outside_path), 0, h5py.h5f.UNLIMITED)])
 
 
-def external_link(file, outside_path):
+def add_external_link(file, outside_path):
     file["e"] = h5py.ExternalLink(outside_path, "/")
     file["h"] = h5py.SoftLink("/e/h")
 
 
-def virtual(file, outside_path):
+def add_virtual_dataset(file, outside_path):
     layout = h5py.VirtualLayout((32, 32), "f8")
     layout[:] = h5py.VirtualSource(outside_path, "h", (32, 32))
     file.create_virtual_dataset("h", layout)
 
 
-def too_many_pixels(file, _):
+def add_too_many_pixels(file, _):
     file.create_dataset("h", (10**6, 10**6), "f8", chunks=(8, 8))
 
 
-def pickled_array(path):
+def write_pickled_array(path):
     with open(path, "wb") as file:
         values = np.array([[Payload(path.parent / "made")] * 32] * 32, object)
         np.save(file, values, allow_pickle=True)
 
 
-def altered(offset, form, value):
-    """Write a container that declares its last file falsely: 24 is its size, 8 its flags."""
+#: Bytes from the start of an entry in the directory of a zip to its flags and to its file's size.
+FLAGS_OFFSET, FILE_SIZE_OFFSET = 8, 24
 
-    def written(path):
-        container(path, bytes(2**20))
+
+def altered_zip_writer(offset, form, value):
+    """Return a writer of a zip with a false value in the last entry of its directory."""
+
+    def write_file(path):
+        write_one_scan(path, bytes(2**20))
         content = bytearray(path.read_bytes())
         struct.pack_into(form, content, content.rindex(b"PK\1\2") + offset, value)
         path.write_bytes(content)
 
-    return written
+    return write_file
 
 
-def huge(path):
+def write_huge_file(path):
     path.touch()
-    os.truncate(path, 2**30 + 1)
+    os.truncate(path, reading.MAX_FILE_BYTES + 1)
 
 
 ALIASES = "a0: &a0 [x]\n" + "".join(
@@ -122,7 +130,7 @@ ALIASED_UNIT = ALIASES + (
     "surfaces: [{topographies: "
     "[{name: one, datafile: {original: a.txt}, size: [320, 320], unit: *a11}]}]\n"
 )
-MANY = [{"datafile": {"original": f"{number}.txt"}} for number in range(3000)]
+MANY_SCANS = [{"datafile": {"original": f"{number}.txt"}} for number in range(3000)]
 #: Writers of a file, and a part of its refusal.
 HOSTILE = {
     "missing": (lambda path: None, "found no such file"),
@@ -130,49 +138,49 @@ HOSTILE = {
     "folder": (os.mkdir, "found a folder"),
     "pipe": (os.mkfifo, "no regular file"),
     "device": (lambda path: path.symlink_to("/dev/zero"), "no regular file"),
-    "huge": (huge, "1 to 1073741824 bytes"),
+    "huge": (write_huge_file, "1 to 1073741824 bytes"),
     "picture": (lambda path: path.write_bytes(b"P5\n2 2\n9\n" + bytes(4)), "a picture, whose grey"),
     "model": (lambda path: path.write_text("#VRML 2.0\n1 2 3 0 0 0\n"), "a model of triangles"),
     "values in volts": (
-        lambda path: path.write_text("# Value units: V\n" + text(random_heights())),
+        lambda path: path.write_text("# Value units: V\n" + matrix_text(random_heights())),
         "values in V, which is no unit of length: multiply them",
     ),
     "words": (lambda path: path.write_text("sample,good\n" * 5000), "none of its readers takes"),
-    "pickled array": (pickled_array, "data of type 'object'"),
-    "zip bomb": (lambda path: container(path, bytes(2**26)), "MemoryError"),
-    "lying zip": (altered(24, "<I", 1000), "Bad CRC-32"),
-    "encrypted zip": (altered(8, "<H", 1), "encrypted"),
+    "pickled array": (write_pickled_array, "data of type 'object'"),
+    "zip bomb": (lambda path: write_one_scan(path, bytes(2**26)), "MemoryError"),
+    "lying zip": (altered_zip_writer(FILE_SIZE_OFFSET, "<I", 1000), "Bad CRC-32"),
+    "encrypted zip": (altered_zip_writer(FLAGS_OFFSET, "<H", 1), "encrypted"),
     "container in a container": (
-        lambda path: container(path, scan_list().encode(), "inner.zip"),
+        lambda path: write_one_scan(path, meta_yml().encode(), "inner.zip"),
         "none of its readers takes",
     ),
-    "pixels": (hdf5(too_many_pixels, True), "16 to 8192 pixels per row"),
-    "external storage": (hdf5(external_storage, False), "unable to open external raw data file"),
-    "external link in a container": (hdf5(external_link, True), "none of its readers takes"),
-    "virtual data": (hdf5(virtual, False), "a readable scan"),
+    "pixels": (hdf5_writer(add_too_many_pixels, True), "16 to 8192 pixels per row"),
+    "external storage": (hdf5_writer(add_external_storage, False), "open external raw data file"),
+    "external link": (hdf5_writer(add_external_link, True), "none of its readers takes"),
+    "virtual data": (hdf5_writer(add_virtual_dataset, False), "a readable scan"),
     "many scans": (
-        listing(json.dumps({"surfaces": [{"topographies": MANY}]})), "at most 1000 scans",
+        list_writer(json.dumps({"surfaces": [{"topographies": MANY_SCANS}]})), "at most 1000 scans",
     ),
     "call in a list": (
-        listing("surfaces: [{topographies: [!!python/object/apply:os.mkdir [made]]}]"),
+        list_writer("surfaces: [{topographies: [!!python/object/apply:os.mkdir [made]]}]"),
         "lists surfaces",
     ),
-    "aliases": (listing(ALIASES + "surfaces: *a11\n"), "lists surfaces"),
-    "deep list": (listing("[" * 1200), "lists surfaces"),
-    "aliased unit": (listing(ALIASED_UNIT), "a readable scan"),
-    "no text": (listing(scan_list(["a.txt"])), "lists surfaces"),
-    "letters": (listing(scan_list("b\n\033[31m.txt")), "a dataset that names one scan"),
-    "size in words": (listing(scan_list(size="long")), "2 positive numbers"),
-    "unit of no length": (listing(scan_list(unit="V")), "a unit of length"),
-    "infinite size": (listing(scan_list(size=[float("inf")] * 2)), "2 positive numbers"),
-    "large size": (listing(scan_list(size=[1e30] * 2)), "pixels and differences of height"),
-    "no height scale": (listing(scan_list(height_scale=float("nan"))), "a positive height scale"),
-    "steep heights": (listing(scan_list(height_scale=1e6)), "a mean slope of at most 10"),
-    "channel": (listing(scan_list(data_source=99)), "a data_source from 0 to 0"),
+    "aliases": (list_writer(ALIASES + "surfaces: *a11\n"), "lists surfaces"),
+    "deep list": (list_writer("[" * 1200), "lists surfaces"),
+    "aliased unit": (list_writer(ALIASED_UNIT), "a readable scan"),
+    "no text": (list_writer(meta_yml(["a.txt"])), "lists surfaces"),
+    "letters": (list_writer(meta_yml("b\n\033[31m.txt")), "a dataset that names one scan"),
+    "size in words": (list_writer(meta_yml(size="long")), "2 positive numbers"),
+    "unit of no length": (list_writer(meta_yml(unit="V")), "a unit of length"),
+    "infinite size": (list_writer(meta_yml(size=[float("inf")] * 2)), "2 positive numbers"),
+    "large size": (list_writer(meta_yml(size=[1e30] * 2)), "pixels and differences of height"),
+    "no height scale": (list_writer(meta_yml(height_scale=float("nan"))), "positive height scale"),
+    "steep heights": (list_writer(meta_yml(height_scale=1e6)), "a mean slope of at most 10"),
+    "channel": (list_writer(meta_yml(data_source=99)), "a data_source from 0 to 0"),
 }  # fmt: skip
 
 
-def read_all(path):
+def read_all_scans(path):
     for dataset in reading.list_scans(path):
         # Unit and size are given, so that no file is refused for lack of them.
         reading.read_scan(path, dataset, unit="nm", map_size=320.0)
@@ -180,7 +188,7 @@ def read_all(path):
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    """Make a folder, also for temporary files, with a file that no scan may read."""
+    """Return a folder, also for temporary files, with a file that no scan may read."""
     with h5py.File(tmp_path / "outside.h5", "w") as file:
         file["h"] = random_heights()
     monkeypatch.setenv("TMPDIR", str(tmp_path))
@@ -198,15 +206,15 @@ def test_a_hostile_file_is_refused_in_one_line(folder, monkeypatch, name):
     write(path)
     files_before = sorted(folder.rglob("*"))
     start = time.monotonic()
-    message = refusal(read_all, path)
+    message = refusal(read_all_scans, path)
     assert time.monotonic() - start < 60  # a few seconds of computing, on a busy machine
-    assert message.isprintable() and len(message) < 2500
+    assert message.isprintable() and len(message) < reading.MAX_MESSAGE_LENGTH + 500  # for the path
     assert_says(message, f"{path}: expected", "found", message_part)
     assert sorted(folder.rglob("*")) == files_before  # nothing unpacked, executed or left behind
 
 
 def test_a_member_with_the_name_of_another_file_is_read_in_its_archive(folder):
-    container(folder / "a.zip", text(random_heights()), "../outside.txt")
+    write_one_scan(folder / "a.zip", matrix_text(random_heights()), "../outside.txt")
     files_before = sorted(folder.parent.rglob("*"))
     np.testing.assert_allclose(reading.read_scan(folder / "a.zip", "one").heights, random_heights())
     assert sorted(folder.parent.rglob("*")) == files_before

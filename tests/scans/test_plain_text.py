@@ -10,23 +10,24 @@ from hardcontact.scans.reading import read_scan
 
 PIXELS = 24
 MAP = random_heights(PIXELS, PIXELS)  # in nm, on pixels of 10 nm
-HEAD = ["# Channel: Height", "# Width: 0,240 µm", "# Height: 0,240 µm", "# Value units: m"]
+HEADER = ["# Channel: Height", "# Width: 0,240 µm", "# Height: 0,240 µm", "# Value units: m"]
 
 
 def matrix(separator, form="{:.4f}", scale=1.0):
+    """Return the rows of MAP as texts."""
     return [separator.join(form.format(scale * height) for height in row) for row in MAP]
 
 
-def written(path, lines, encoding="utf-8", end="\n"):
+def write_lines(path, lines, encoding="utf-8", end="\n"):
     path.write_bytes((end.join(lines) + end).encode(encoding))
     return path
 
 
-def commas(lines):
+def use_decimal_commas(lines):
     return [line.replace(".", ",") for line in lines]
 
 
-METRES = matrix("\t", "{:.6e}", 1e-9)
+ROWS_IN_METRES = matrix("\t", "{:.6e}", 1e-9)
 
 
 @pytest.mark.parametrize(
@@ -34,9 +35,9 @@ METRES = matrix("\t", "{:.6e}", 1e-9)
     [("utf-8", False), ("utf-8-sig", True), ("latin-1", True), ("utf-16", False)],
 )
 def test_a_matrix_with_a_header_is_read_in_every_encoding(tmp_path, encoding, comma):
-    head = [line if comma else line.replace(",", ".") for line in HEAD]
-    lines = [*head, *(commas(METRES) if comma else METRES)]
-    measurement = read_scan(written(tmp_path / "a.txt", lines, encoding, "\r\n"))
+    header = [line if comma else line.replace(",", ".") for line in HEADER]
+    lines = [*header, *(use_decimal_commas(ROWS_IN_METRES) if comma else ROWS_IN_METRES)]
+    measurement = read_scan(write_lines(tmp_path / "a.txt", lines, encoding, "\r\n"))
     assert measurement.pixel_size == pytest.approx(10.0)
     np.testing.assert_allclose(measurement.heights, MAP, atol=1e-4)
     assert measurement.notes == (("decimal commas read",) if comma else ())
@@ -47,15 +48,15 @@ MATRICES = {
     "commas": matrix(","),
     "commas and blanks": matrix(", "),
     "semicolons": matrix(";"),
-    "decimal commas, semicolons": commas(matrix(";")),
-    "decimal commas, tabs": commas(matrix("\t")),
+    "decimal commas, semicolons": use_decimal_commas(matrix(";")),
+    "decimal commas, tabs": use_decimal_commas(matrix("\t")),
     "a comma at the end": [f"{row}," for row in matrix(",")],
 }
 
 
 @pytest.mark.parametrize("name", MATRICES)
 def test_a_bare_matrix_is_read_with_its_size_and_unit(tmp_path, name):
-    path = written(tmp_path / "a.csv", MATRICES[name])
+    path = write_lines(tmp_path / "a.csv", MATRICES[name])
     message = refusal(read_scan, path)
     assert_says(message, "physical size and unit", "found none", "--size 5000nm", "--unit nm")
     assert_says(refusal(read_scan, path, unit="nm"), "--size 5000nm", "scan.map_size")
@@ -71,9 +72,11 @@ def test_a_bare_matrix_is_read_with_its_size_and_unit(tmp_path, name):
 
 
 def test_the_given_size_is_the_longer_side_of_files_without_a_size(tmp_path):
-    path = written(tmp_path / "a.txt", matrix(" ")[:20])
+    path = write_lines(tmp_path / "a.txt", matrix(" ")[:20])
     assert read_scan(path, unit="nm", map_size=240.0).pixel_size == pytest.approx(10.0)
-    path = written(tmp_path / "b.txt", [*(line.replace(",", ".") for line in HEAD), *METRES])
+    path = write_lines(
+        tmp_path / "b.txt", [*(line.replace(",", ".") for line in HEADER), *ROWS_IN_METRES]
+    )
     measurement = read_scan(path, unit="m", map_size=240.0)
     assert measurement.pixel_size == pytest.approx(10.0) and measurement.notes == ()
 
@@ -82,7 +85,7 @@ def test_the_given_size_is_the_longer_side_of_files_without_a_size(tmp_path):
 def test_empty_cells_and_words_are_undefined_pixels(tmp_path, word):
     rows = matrix(";")
     rows[3] = rows[3].replace(rows[3].split(";")[5], word, 1)
-    path = written(tmp_path / "a.csv", rows)
+    path = write_lines(tmp_path / "a.csv", rows)
     measurement = read_scan(path, undefined_pixels="harmonic", unit="nm", map_size=240.0)
     assert measurement.undefined_count == 1
     defined = np.ones((PIXELS, PIXELS), bool)
@@ -92,10 +95,10 @@ def test_empty_cells_and_words_are_undefined_pixels(tmp_path, word):
 
 Y, X = (10.0 * axis.ravel() for axis in np.indices((PIXELS, PIXELS)))
 POINTS = np.column_stack([X, Y, MAP.ravel()])
-GAPS = np.random.default_rng(2).choice(len(POINTS), 30, replace=False)
+GAPS = np.random.default_rng(2).choice(len(POINTS), 30, replace=False)  # points left out
 
 
-def coordinates(path, points, separator=" "):
+def write_points(path, points, separator=" "):
     np.savetxt(path, points, "%.6f", separator)
     return path
 
@@ -103,7 +106,7 @@ def coordinates(path, points, separator=" "):
 @pytest.mark.parametrize(("separator", "step"), [(" ", 1), (",", -1), (";", 1)])
 def test_missing_points_are_undefined_pixels(tmp_path, separator, step):
     points = np.delete(POINTS, GAPS, axis=0)[::step]
-    path = coordinates(tmp_path / "a.xyz", points, separator)
+    path = write_points(tmp_path / "a.xyz", points, separator)
     assert_says(refusal(read_scan, path, unit="nm"), "undefined", "found 30")
     measurement = read_scan(path, undefined_pixels="harmonic", unit="nm")
     assert measurement.pixel_size == pytest.approx(10.0) and measurement.undefined_count == 30
@@ -116,15 +119,15 @@ def test_missing_points_are_undefined_pixels(tmp_path, separator, step):
 @pytest.mark.parametrize("gaps", [[], GAPS])
 def test_points_may_have_two_units(tmp_path, gaps):
     scaled = np.delete(POINTS, gaps, axis=0) * [1e-3, 1e-3, 1]
-    path = coordinates(tmp_path / "a.xyz", scaled)
+    path = write_points(tmp_path / "a.xyz", scaled)
     measurement = read_scan(path, undefined_pixels="harmonic", unit="um,nm")
     assert measurement.pixel_size == pytest.approx(10.0)
     assert measurement.heights.ravel()[5] == pytest.approx(MAP.ravel()[5], abs=1e-5)
     message = refusal(read_scan, path, undefined_pixels="harmonic", unit="um")
     assert_says(message, "--unit mm,nm (scan.unit: mm,nm) gives")
-    line = coordinates(tmp_path / "b.txt", np.column_stack([1e-3 * X[:24], MAP[0]]))
+    line = write_points(tmp_path / "b.txt", np.column_stack([1e-3 * X[:24], MAP[0]]))
     np.testing.assert_allclose(read_scan(line, unit="um,nm").heights, MAP[0], atol=1e-5)
-    angstroms = coordinates(tmp_path / "c.xyz", scaled * [1, 1, 10])
+    angstroms = write_points(tmp_path / "c.xyz", scaled * [1, 1, 10])
     for unit in ("um,angstrom", "um,Å"):
         scan = read_scan(angstroms, undefined_pixels="harmonic", unit=unit)
         np.testing.assert_allclose(scan.heights, measurement.heights, atol=1e-5)
@@ -136,7 +139,7 @@ def test_points_near_those_of_a_grid_are_interpolated_on_the_grid(tmp_path, gaps
     points = POINTS.copy()
     points[:, :2] += rng.normal(0, 0.8, (len(POINTS), 2))  # up to a quarter of a pixel
     points[:, 2] = 5 * np.sin(points[:, 0] / 40) * np.cos(points[:, 1] / 50)
-    path = coordinates(tmp_path / "a.xyz", rng.permutation(np.delete(points, gaps, axis=0)))
+    path = write_points(tmp_path / "a.xyz", rng.permutation(np.delete(points, gaps, axis=0)))
     measurement = read_scan(path, undefined_pixels="harmonic", unit="nm")
     assert measurement.heights.shape == MAP.shape and measurement.undefined_count == len(gaps)
     assert measurement.pixel_size == pytest.approx(10.0, rel=0.01)
@@ -155,7 +158,7 @@ def test_points_near_those_of_a_grid_are_interpolated_on_the_grid(tmp_path, gaps
     ],
 )
 def test_points_that_make_no_map_are_refused(tmp_path, points):
-    path = coordinates(tmp_path / "a.xyz", points)
+    path = write_points(tmp_path / "a.xyz", points)
     message = refusal(read_scan, path, undefined_pixels="harmonic", unit="nm")
     assert_says(message, "a.xyz: expected points x, y, height on a regular grid")
 

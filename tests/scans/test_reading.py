@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from refusals import assert_says, refusal
 from scan_files import (
-    MAPS,
-    MAPS_AND_LINES,
+    MAP_WRITERS,
+    SCAN_WRITERS,
     random_heights,
     write_container,
     write_nanoscope,
@@ -23,7 +23,7 @@ from hardcontact.surfaces.height_map import HeightMap, load_height_map, refuse_l
 
 
 def write_and_list(write, path, topography):
-    """Write a topography; return its path and the name of the dataset."""
+    """Write a topography; return the path and the dataset of the file."""
     write(topography, path)
     (dataset,) = list_scans(path)
     return path, dataset
@@ -33,23 +33,28 @@ def map_of(values):
     return Topography(values, tuple(10.0 * count for count in values.shape), unit="nm")
 
 
-def coordinates(path, *columns, unit="nm"):
+def write_columns(path, *columns, unit="nm"):
     header = f"Lateral units: {unit}\nValue units: {unit}"
     np.savetxt(path, np.column_stack(columns), fmt="%.9g", header=header)
     return path
 
 
+#: Shape (x, y) of a map, the square that is read, and the note on it.
 TALL = ((48, 32), np.s_[8:40, :], ["cropped from 48 x 32 to 32 x 32 pixels"])
 WIDE = ((32, 51), np.s_[:, 9:41], ["cropped from 32 x 51 to 32 x 32 pixels"])
 
 
 @pytest.mark.parametrize(
-    ("form", "shape", "square", "notes"),
-    [*((form, *TALL) for form in MAPS), ("nc", *WIDE), ("nc", (32, 32), np.s_[:, :], [])],
+    ("suffix", "shape", "square", "notes"),
+    [
+        *((suffix, *TALL) for suffix in MAP_WRITERS),
+        ("nc", *WIDE),
+        ("nc", (32, 32), np.s_[:, :], []),
+    ],
 )
-def test_a_map_is_read_as_its_central_square(tmp_path, form, shape, square, notes):
+def test_a_map_is_read_as_its_central_square(tmp_path, suffix, shape, square, notes):
     values = random_heights(*shape)
-    file = write_and_list(MAPS[form], tmp_path / f"a.{form}", map_of(values))
+    file = write_and_list(MAP_WRITERS[suffix], tmp_path / f"a.{suffix}", map_of(values))
     measurement = read_scan(*file)
     np.testing.assert_allclose(measurement.heights, values[square].T, atol=1e-12)
     assert measurement.pixel_size == pytest.approx(10.0)
@@ -58,13 +63,13 @@ def test_a_map_is_read_as_its_central_square(tmp_path, form, shape, square, note
     assert [note for note in measurement.notes if "cropped" in note] == notes
 
 
-@pytest.mark.parametrize("form", MAPS)
-def test_gaps_of_a_map_are_filled_harmonically(tmp_path, form):
+@pytest.mark.parametrize("suffix", MAP_WRITERS)
+def test_gaps_of_a_map_are_filled_harmonically(tmp_path, suffix):
     x, y = np.mgrid[:32, :32]
     plane = 0.3 * x - 0.2 * y + 0.01 * x * y  # harmonic, so that gaps are filled by itself
     values = np.ma.masked_array(plane, False)
     values[3, 4:9] = values[20:24, 20:24] = np.ma.masked
-    file = write_and_list(MAPS[form], tmp_path / f"a.{form}", map_of(values))
+    file = write_and_list(MAP_WRITERS[suffix], tmp_path / f"a.{suffix}", map_of(values))
     assert_says(refusal(read_scan, *file), "found 21", "scan.undefined_pixels: harmonic")
     measurement = read_scan(*file, undefined_pixels="harmonic")
     np.testing.assert_allclose(measurement.heights, plane.T, atol=1e-9)
@@ -192,12 +197,12 @@ def test_a_given_unit_serves_files_without_a_unit(tmp_path):
     np.testing.assert_allclose(measurement.heights, 1e3 * values)
 
 
-@pytest.mark.parametrize("form", MAPS_AND_LINES)
-def test_a_line_scan_is_read_and_its_gaps_are_filled_linearly(tmp_path, form):
+@pytest.mark.parametrize("suffix", SCAN_WRITERS)
+def test_a_line_scan_is_read_and_its_gaps_are_filled_linearly(tmp_path, suffix):
     values = np.ma.masked_array(np.linspace(0, 8, 41), False)
     values[5:9] = np.ma.masked
     profile = UniformLineScan(values, 410.0, unit="nm")
-    file = write_and_list(MAPS_AND_LINES[form], tmp_path / f"a.{form}", profile)
+    file = write_and_list(SCAN_WRITERS[suffix], tmp_path / f"a.{suffix}", profile)
     assert_says(refusal(read_scan, *file), "found 4", "undefined_pixels")
     measurement = read_scan(*file, undefined_pixels="harmonic")
     assert (measurement.kind, measurement.file_unit) == ("line scan", "nm")
@@ -206,18 +211,18 @@ def test_a_line_scan_is_read_and_its_gaps_are_filled_linearly(tmp_path, form):
     np.testing.assert_allclose(measurement.heights, np.linspace(0, 8, 41), atol=1e-12)
     assert not any("resampled" in note for note in measurement.notes)
     message = refusal(refuse_line_scan, measurement)
-    assert_says(message, f"a.{form}", "expected a height map, found a line scan")
+    assert_says(message, f"a.{suffix}", "expected a height map, found a line scan")
 
 
 @pytest.mark.parametrize(
-    ("form", "unit", "nanometres"), [("nc", "nm", 1.0), ("xyz", "m", 1e9), ("zip", "m", 1e9)]
+    ("suffix", "unit", "nanometres"), [("nc", "nm", 1.0), ("xyz", "m", 1e9), ("zip", "m", 1e9)]
 )
-def test_an_uneven_line_scan_is_resampled_on_its_median_spacing(tmp_path, form, unit, nanometres):
+def test_an_uneven_line_scan_is_resampled_on_its_median_spacing(tmp_path, suffix, unit, nanometres):
     # 1e-6 of the unit, which the reader of text takes for nothing, is 1 um for metres.
     positions = np.concatenate([np.arange(0, 300, 10.0), np.arange(300, 401, 20.0)])
     corner = np.abs(positions - 200.0) / 50  # straight between points: interpolation is exact
     line = NonuniformLineScan(positions / nanometres, corner / nanometres, unit=unit)
-    measurement = read_scan(*write_and_list(MAPS_AND_LINES[form], tmp_path / f"a.{form}", line))
+    measurement = read_scan(*write_and_list(SCAN_WRITERS[suffix], tmp_path / f"a.{suffix}", line))
     assert measurement.pixel_size == pytest.approx(10.0)
     resampled = np.abs(np.arange(0, 401, 10) - 200.0) / 50
     np.testing.assert_allclose(measurement.heights, resampled, atol=1e-9)
@@ -228,7 +233,7 @@ def test_rounded_positions_are_uniform_and_may_run_from_right_to_left(tmp_path):
     positions, values = np.round(np.arange(200) * 0.09956, 4), random_heights(200)
     for name, order in (("a.xyz", slice(None)), ("b.xyz", slice(None, None, -1))):
         columns = positions[order], 1e-3 * values[order]
-        measurement = read_scan(coordinates(tmp_path / name, *columns, unit="µm"))
+        measurement = read_scan(write_columns(tmp_path / name, *columns, unit="µm"))
         assert measurement.pixel_size == pytest.approx(99.56, rel=1e-4)
         np.testing.assert_allclose(measurement.heights, values, rtol=1e-6)
         assert measurement.notes == ()
@@ -247,7 +252,7 @@ BACKWARDS, REPEATED = (np.cumsum([0.0, *[10.0] * 20, step, *[10.0] * 20]) for st
     ],
 )
 def test_faulty_positions_of_a_line_scan_are_refused(tmp_path, positions, message_parts):
-    path = coordinates(tmp_path / "a.xyz", positions, random_heights(len(positions)))
+    path = write_columns(tmp_path / "a.xyz", positions, random_heights(len(positions)))
     assert_says(refusal(read_scan, path), "a.xyz: expected", *message_parts)
 
 
@@ -311,7 +316,7 @@ def test_a_scan_of_a_container_is_found_by_its_file_or_a_unique_name(tmp_path):
 )
 @pytest.mark.parametrize("statements", [{"tip_radius": 8.0}, {"tip_radius": None, "notes": ()}])
 def test_a_stored_measurement_keeps_every_field(tmp_path, topography, statements):
-    file = write_and_list(MAPS["nc"], tmp_path / "a.nc", topography)
+    file = write_and_list(MAP_WRITERS["nc"], tmp_path / "a.nc", topography)
     measurement = replace(read_scan(*file), **statements)
     write_dataset(measurement.to_dataset(), tmp_path / "stored.nc")
     stored_measurement = load_height_map(tmp_path / "stored.nc")

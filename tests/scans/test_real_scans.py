@@ -58,9 +58,8 @@ def test_a_study_of_real_scans_has_plausible_roughness_edges_and_forces(reposito
     assert set(kinds) == {"map", "line scan"}
     mean = surface["mean_force"]
     assert mean["low"] < mean["value"] < mean["high"]
-    assert (
-        20 < surface["short_edge"]["value"] < 100
-    )  # The paper finds 43 nm, this study 37 nm on UNCD.
+    # The paper finds 43 nm, this study 37 nm on UNCD.
+    assert 20 < surface["short_edge"]["value"] < 100
     cautions = {note["code"] for note in read_answer(results)["notes"] if note["kind"] == "caution"}
     assert "conditional_intervals" in cautions
     # Waves shorter than the scans show keep the sphere clearly away.
