@@ -7,7 +7,7 @@ import pytest
 from repository import copy_repository, run_snakemake_with_forks
 
 REDRAW = ("-s", "workflow/redraw.smk", "--config", "study=tiny")
-#: Figures that are drawn again: maps, curves against the cutoff, and sets.
+#: Figures that are drawn again: maps, curves against the cutoff, and single symbols.
 DRAWN_AGAIN = ("fig1", "fig6", "fig_features")
 
 
@@ -33,9 +33,9 @@ def test_figures_and_pages_are_redrawn_from_the_datasets_alone(finished, tmp_pat
     # Nothing is computed: no store, only the lists of packages.
     result_folders = {path.name for path in (study / "results").iterdir()}
     assert result_folders == {"tiny", *packages}
-    redrawn_paths = [*(finished_results / "figures").glob("[!.]*")]
-    redrawn_paths += (finished_results / "report").glob("*.html")
-    redrawn_paths += (finished_results / name for name in ("answer.html", "answer.json"))
-    for path in redrawn_paths:
+    finished_paths = [*(finished_results / "figures").glob("[!.]*")]
+    finished_paths += (finished_results / "report").glob("*.html")
+    finished_paths += (finished_results / name for name in ("answer.html", "answer.json"))
+    for path in finished_paths:
         redrawn_path = results / path.relative_to(finished_results)
         assert redrawn_path.read_bytes() == path.read_bytes(), path

@@ -10,7 +10,7 @@ from matplotlib.colors import same_color
 from matplotlib.lines import Line2D
 from matplotlib.patches import StepPatch
 from matplotlib.text import Text
-from paper_numbers import LABELS, SUBSTRATES
+from paper_numbers import LABELS, SUBSTRATES, WORK
 from repository import ROOT
 
 from hardcontact.base.dataset import read_dataset
@@ -71,11 +71,11 @@ def unseen_tick_labels(axes):
     for axis in (axes.xaxis, axes.yaxis):
         low, high = sorted(axis.get_view_interval())
         ticks = [*axis.get_major_ticks(), *axis.get_minor_ticks()]
-        artists = {
+        seen_labels = {
             tick.label1 for tick in ticks if low <= tick.get_loc() * (1 + 1e-9) <= high * (1 + 2e-9)
         }
-        labels = set(axis.findobj(Text)) - {axis.label}
-        yield from labels - artists if axes.axison else axis.findobj(Text)
+        tick_labels = set(axis.findobj(Text)) - {axis.label}
+        yield from tick_labels - seen_labels if axes.axison else axis.findobj(Text)
 
 
 @pytest.mark.parametrize("name", PAPER_FIGURES)
@@ -84,7 +84,7 @@ def test_texts_are_large_enough_inside_the_figure_and_do_not_overlap(draw_checke
     width, height = figure.get_size_inches()
     assert width == drawing.WIDTH and 2 < height < 9
     boxes = texts(figure)
-    assert min(text.get_fontsize() for text, _ in boxes) >= 6.93  # 7 points but for rounding
+    assert min(text.get_fontsize() for text, _ in boxes) >= 7  # points
     sheet = figure.bbox
     texts_beyond = [
         text.get_text()
@@ -108,21 +108,20 @@ def test_a_surface_has_one_colour(draw_checked, name):
     colours = dict(zip(LABELS, style.surface_colours(SUBSTRATES).values(), strict=True))
     lines = [line for line in figure.findobj(Line2D) if line.get_label() in colours]
     assert all(same_color(line.get_color(), colours[line.get_label()]) for line in lines)
-    if not lines:
+    if not lines:  # no line in these figures is labelled with a surface
         assert name in {"fig1", "fig3", "fig5", "fig_elastic", "fig_fit", "fig_features"}
 
 
 PLASTIC = {"contact_model": "plastic"}
 FITTED = PLASTIC | {"pair": "fitted"}
 PUBLISHED = PLASTIC | {"pair": "published"}
-RIGID = {"contact_model": "rigid", "side": "short", "rho": 1}
+RIGID_CASE = {"contact_model": "rigid", "side": "short", "rho": 1}
 CONTACTS = ["scan", "contact"]
 MICRO, MILLI, GIGA = 1e-6, 1e-3, 1e9
-PUBLISHED_WORK = 0.0463  # J/m²
 #: A figure, the number of a panel, a dataset, and numbers of this dataset that the panel shows.
 NUMBERS = [
     ("fig4", 3, "fit", lambda data: data.force_over_reference.sel(PLASTIC)),
-    ("fig4", 4, "fit", lambda data: PUBLISHED_WORK * data.mean_force.sel(PLASTIC) / MICRO),
+    ("fig4", 4, "fit", lambda data: WORK * data.mean_force.sel(PLASTIC) / MICRO),
     ("fig4", 4, "fit", lambda data: data.mean_force_at_pair.sel(FITTED) / MICRO),
     ("fig_fit", 0, "sets", lambda data: data.best_error.sel(PLASTIC)),
     ("fig_fit", 0, "fit", lambda data: data.best_error_by_range),
@@ -137,7 +136,12 @@ NUMBERS = [
     ("fig_classical", 1, "classical", lambda data: data.mean_relative_error),
     ("fig_elastic", 4, "elastic", lambda data: data.share_above_hardness),
     ("fig_elastic", 5, "elastic", lambda data: data.peak_pressure / GIGA),
-    ("fig_edge_shifts", 0, "edge_shifts", lambda data: data.filtered_force_ratio.sel(RIGID)),
+    (
+        "fig_edge_shifts",
+        0,
+        "edge_shifts",
+        lambda data: data.filtered_force_ratio.sel(RIGID_CASE),
+    ),
     ("fig_scales", 0, "topography", lambda data: data.isotropic_psd.mean("scan")),
     ("fig_octaves", 1, "band_forces", lambda data: data.band_force_ratio.sel(band="published")),
     ("fig_features", 0, "features", lambda data: data.median_force_at_pair / MICRO),
@@ -173,7 +177,7 @@ def test_maps_are_those_of_the_dataset(draw_checked, read_inputs):
 
 
 def test_histograms_hold_all_forces_and_name_the_fitted_shape(draw_checked, read_inputs):
-    axes = draw_checked("fig3").axes[len(SUBSTRATES)]  # the first surface, on logarithmic axes
+    axes = draw_checked("fig3").axes[len(SUBSTRATES)]  # below the first surface: logarithmic axes
     fit = read_inputs("fig3")["fit"].sel(PUBLISHED).isel(surface=0)
     assert f"here {fit.log_force_std.item():.2f}" in axes.get_title(loc="left")
     histograms = [patch.get_data() for patch in axes.patches if isinstance(patch, StepPatch)]

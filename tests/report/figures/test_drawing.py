@@ -14,7 +14,7 @@ SURFACES = xr.Dataset(
 )
 
 
-def figure():
+def simple_figure():
     figure = drawing.create_figure(3, SURFACES)
     figure.subplots().plot(np.linspace(0, 1, 10))
     return figure
@@ -29,7 +29,7 @@ def test_drawing_twice_gives_the_same_bytes(tmp_path):
     contents = []
     for folder in (tmp_path / "first", tmp_path / "second"):
         with style.print_style():
-            drawing.save_figure(figure(), "a figure", outputs(folder))
+            drawing.save_figure(simple_figure(), "a figure", outputs(folder))
         contents.append({path.name: path.read_bytes() for path in folder.iterdir()})
     assert contents[0] == contents[1] and len(contents[0]) == len(drawing.FILE_KINDS)
     assert contents[0]["figure.pdf"].startswith(b"%PDF") and b"<svg" in contents[0]["figure.svg"]
@@ -38,7 +38,7 @@ def test_drawing_twice_gives_the_same_bytes(tmp_path):
 
 
 def test_a_figure_names_only_the_substitutes():
-    (note,) = figure().texts
+    (note,) = simple_figure().texts
     assert note.get_text().startswith("substitute surfaces: NCD (")
     all_measured = SURFACES.assign(source=("surface", ["measured"] * 2))
     assert drawing.create_figure(3, all_measured).texts[0].get_text() == "all surfaces measured"
@@ -52,5 +52,5 @@ def test_nothing_is_written_when_saving_fails(tmp_path, monkeypatch):
 
     monkeypatch.setattr(Path, "write_bytes", write_half)  # of the last file, the SVG
     with pytest.raises(ValueError, match="figure.svg: expected a file to be written, found: disk"):
-        drawing.save_figure(figure(), "a figure", outputs(tmp_path))
+        drawing.save_figure(simple_figure(), "a figure", outputs(tmp_path))
     assert not list(tmp_path.iterdir())

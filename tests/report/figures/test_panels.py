@@ -1,4 +1,4 @@
-"""Panels draw the numbers that they are given, with bounds, over sets, without padding."""
+"""Panels: bands, edges and hatched wavelengths end where they should; maps lack some waves."""
 
 import numpy as np
 import pytest

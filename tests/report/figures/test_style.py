@@ -16,12 +16,12 @@ def test_a_user_s_settings_change_no_figure(monkeypatch):
 
 
 @pytest.mark.parametrize(
-    ("bars", "limits"),  # value, low, high of each
+    ("bars", "limits"),  # value, low, high of each bar; None: the limits stay
     [([(2, 1.9, 2.1), (8, 1e-9, 1e19)], (0.2, 80)), ([(2, 1, 4), (8, 5, 20)], None)],
 )
 def test_endless_error_bars_leave_the_frame(bars, limits):
     axes = Figure().subplots()
-    axes.axvline(1.0)
+    axes.axvline(1.0)  # from 0 to 1 in coordinates of the axes, which are no values
     for x, (value, low, high) in enumerate(bars):
         axes.errorbar([x], [value], [[value - low], [high - value]])
     axes.set_yscale("log")
