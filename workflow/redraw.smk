@@ -1,4 +1,4 @@
-"""Draw the figures and pages of a finished study again, from its datasets: no scan, no store."""
+"""Make the figures and pages of a finished study again, from its datasets, without its store."""
 
 from hardcontact.run import ending, preparation, reruns
 from hardcontact.records.code import write_pins
@@ -12,7 +12,7 @@ configfile: preparation.finished_configuration(config)
 include: "rules/common.smk"
 
 
-write_pins()  # In a whole run surfaces.smk does, which is not needed here.
+write_pins()  # surfaces.smk, which writes them in a whole run, is not included here.
 
 
 if IS_PAPER_STUDY:
