@@ -1,4 +1,4 @@
-"""Pages that answer the question of a study, each self-contained, and their numbers."""
+"""The numbers, figures and self-contained pages that answer the question of a study."""
 
 from pathlib import Path
 

@@ -1,1 +1,1 @@
-"""Figures of the paper's study, a module each, from final datasets and published tables alone."""
+"""Figures of the paper's study, a module `fig*` each, and the parts that all figures share."""

@@ -1,4 +1,4 @@
-"""An empty figure to draw on, and the files of a figure: PDF, PNG and SVG."""
+"""Draw the figures of the paper's study, begin any figure, and write it as PDF, PNG and SVG."""
 
 import importlib
 import re
@@ -25,10 +25,10 @@ from hardcontact.report.figures.listing import FILE_KINDS
 
 WIDTH = 7.0  # inch: two columns of a journal page
 FOOTER = 0.2  # inch kept free below the axes for the line that names the substitutes
-RESOLUTION = 300  # dots per inch of the PNG and of the maps inside the PDF
+RESOLUTION = 300  # dots per inch of the PNG and of the images inside the PDF
 SVG_RESOLUTION = 100  # dots per inch of the images inside the SVG
-MAX_VECTOR_POINTS = 1000  # of a curve or of symbols in the SVG; more become an image
-SVG_FONTS = b"'DejaVu Sans', Verdana, sans-serif"  # of equal widths
+MAX_VECTOR_POINTS = 1000  # of a curve or of symbols in the SVG; an image of more is smaller
+SVG_FONTS = b"'DejaVu Sans', Verdana, sans-serif"  # all equally wide
 Ratios = Sequence[float]  # sizes relative to each other
 #: Readers of inputs that are not datasets.
 READERS = {
@@ -40,7 +40,7 @@ READERS = {
 def draw_figure(
     name: str, title: str, inputs: Mapping[str, str], outputs: Mapping[str, str]
 ) -> None:
-    """Draw a figure by the module of its name; inputs are paths by the arguments of `draw`."""
+    """Draw a figure by `draw` of its module; inputs are paths, by the arguments of `draw`."""
     module = importlib.import_module(f"hardcontact.report.figures.{name}")
     data = {key: READERS.get(key, read_dataset)(path) for key, path in inputs.items()}
     with style.print_style():
@@ -50,7 +50,7 @@ def draw_figure(
 def save_figure(
     figure: Figure, title: str, outputs: Mapping[str, str], svg_resolution: float = SVG_RESOLUTION
 ) -> None:
-    """Write the files of a figure by FILE_KINDS, the same bytes each time, all or none."""
+    """Write a figure to its outputs by FILE_KINDS: the same bytes each time, all files or none."""
     style.freeze_layout(figure)
     with ExitStack() as stack:
         paths = {kind: stack.enter_context(atomic_file(outputs[kind])) for kind in FILE_KINDS}
@@ -61,9 +61,9 @@ def save_figure(
 
 
 def svg_bytes(figure: Figure, title: str, resolution: float) -> bytes:
-    """Return a figure as SVG for pages, with images of a resolution in dots per inch.
+    """Return a figure as SVG for pages, and rasterize its artists of many points.
 
-    Artists with many points are images afterwards.
+    The resolution of images is in dots per inch.
     """
     for artist in figure.findobj(lambda artist: not artist.get_rasterized()):
         artist.set_rasterized(_has_many_points(artist))
@@ -96,9 +96,9 @@ def create_figure(height: float, surfaces: xr.Dataset) -> Figure:
     footer = FOOTER / height
     layout = ConstrainedLayoutEngine(rect=(0, footer, 1, 1 - footer))
     figure = Figure(figsize=(WIDTH, height), layout=layout)
-    data: Any = surfaces if "label" in surfaces else surfaces.attrs
-    labels = np.atleast_1d(data["label"])
-    substitutes = labels[np.atleast_1d(data["source"]) == "substitute"]
+    texts: Any = surfaces if "label" in surfaces else surfaces.attrs
+    labels = np.atleast_1d(texts["label"])
+    substitutes = labels[np.atleast_1d(texts["source"]) == "substitute"]
     note = "all surfaces measured"
     if substitutes.size:
         names = ", ".join(map(str, substitutes))

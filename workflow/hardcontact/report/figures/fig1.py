@@ -29,8 +29,7 @@ def draw(topography: xr.Dataset) -> Figure:
         heights = panels.centred_heights(scan)
         surface_data = topography.sel(surface=surface)
         panels.draw_map(axes, heights, surface_data["scan_size"].item(), colours[surface])
-        rms_height = np.std(heights, dtype=float)
-        title = f"{surface_data['label'].item()}{state}\nrms {rms_height:.1f} nm"
+        title = f"{surface_data['label'].item()}{state}\nrms {np.std(heights, dtype=float):.1f} nm"
         style.label_panel(axes, letter, title)
     for axes in grid[len(maps) :]:
         axes.set_axis_off()

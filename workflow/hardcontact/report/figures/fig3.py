@@ -22,12 +22,13 @@ from hardcontact.report.figures import drawing, panels, style
 
 LINEAR_BINS = 24
 BINS_PER_DECADE = 8
+#: Histograms at the published and at the fitted pair; each panel has the colour of its surface.
 AT_PUBLISHED: style.Look = {"color": "0.4", "alpha": 0.55}
 AT_FIT: style.Look = {"edgecolor": "0.2", "linewidth": 1.2}
 PUBLISHED_LINE: style.Look = {"color": style.PUBLISHED_COLOUR, "lw": 1.0}
 COMPUTED_LINE: style.Look = {"color": style.PUBLISHED_COLOUR, "lw": 1.0, "ls": "--"}
 
-FitPair = pd.Series | xr.Dataset  # range and work of adhesion
+FitPair = pd.Series | xr.Dataset  # range (nm) and work of adhesion (J/m²)
 ForcesByPair = dict[str, np.ndarray]  # forces (N) of one surface by pair, "published" and "fitted"
 
 
@@ -62,12 +63,12 @@ def draw(
     for axes in grid[:, 0]:
         axes.set_ylabel("probability density (1/µN)")
     figure.align_ylabels(grid[:, 0])
-    style.legend_above(figure, _legend_handles(pairs, floor), 3)
+    style.legend_above(figure, _legend_handles(pairs, floor), max_columns=3)
     return figure
 
 
 def _forces_at(adhesion: xr.Dataset, pair: FitPair) -> xr.DataArray:
-    """Return the forces (N) of all plastic contacts at a range and work of adhesion."""
+    """Return the forces (N) of all plastic contacts at a pair."""
     forces = adhesion["pull_off_force"].sel(contact_model=PLASTIC)
     work_ratio: float = float(pair["work_of_adhesion"]) / adhesion.attrs["work_of_adhesion"]
     return interpolate_forces(forces, float(pair["range_of_adhesion"])) * work_ratio
@@ -81,18 +82,18 @@ def _lognormals(published: Mapping[Any, float], fit: xr.Dataset) -> tuple[Any, A
     return lognorm(published_log_std, scale=median), computed_lognormal
 
 
-def _label_column(column: np.ndarray, letter: str, fit: xr.Dataset, lognormal: Any) -> None:
+def _label_column(column: np.ndarray, letter: str, fit: xr.Dataset, published: Any) -> None:
     """Write the surface above its linear panel, and the std of ln F above the logarithmic panel."""
     style.label_panel(column[0], f"{letter}_1", str(fit["label"].item()))
-    (published_log_std,) = lognormal.args
-    log_std = format_estimate(panels.value_and_bounds(fit, "log_force_std"), ".2f")
+    (published_log_std,) = published.args
+    log_std = format_estimate(panels.scalar_and_interval(fit, "log_force_std"), ".2f")
     title = f"std of ln $F$\npublished {published_log_std:.2f}\nhere {log_std}"
     style.label_panel(column[1], f"{letter}_2", title)
 
 
 def _draw_linear(axes: Axes, forces_by_pair: ForcesByPair, published: Any, colour: str) -> None:
     """Draw the computed histograms and the published log-normal over the same bins, in µN."""
-    # The axis shows all but 3 % of the forces, and all but 10 % of the log-normal.
+    # The axis leaves out at most 3 % of the forces at a pair and 10 % of the log-normal.
     ends = [np.quantile(forces, 0.97) for forces in forces_by_pair.values()]
     edges = np.linspace(0, np.nanmax([*ends, published.ppf(0.9)]), LINEAR_BINS + 1)
     _draw_histograms(axes, forces_by_pair, edges, colour)
@@ -114,21 +115,21 @@ def _draw_logarithmic(
     densities = _draw_histograms(axes, forces_by_pair, edges, colour)
     high_quantiles = [lognormal.ppf(0.999) for lognormal in lognormals]
     ends = np.nanmin([edges[0], floor / 3]), np.nanmax([edges[-1], *high_quantiles])
-    line = np.geomspace(*ends, 200)
+    forces = np.geomspace(*ends, 200)
     for lognormal, look in zip(lognormals, (PUBLISHED_LINE, COMPUTED_LINE), strict=True):
-        curve = lognormal.pdf(line) * style.MICRONEWTON
-        axes.plot(line / style.MICRONEWTON, curve, **look)
-    bars = densities[densities > 0] * style.MICRONEWTON
+        curve = lognormal.pdf(forces) * style.MICRONEWTON
+        axes.plot(forces / style.MICRONEWTON, curve, **look)
+    bar_heights = densities[densities > 0] * style.MICRONEWTON
     axes.set(xscale="log", yscale="log", xlim=np.divide(ends, style.MICRONEWTON))
-    # The bars set the scale, because a log-normal has no least density and may have a high peak.
-    axes.set_ylim(bars.min() / 3, bars.max() * 10)
+    # The bars set the scale, because a log-normal has no smallest density and may have a high peak.
+    axes.set_ylim(bar_heights.min() / 3, bar_heights.max() * 10)
     style.label_logarithmic(axes.xaxis, axes.yaxis, digits=(1,))
 
 
 def _draw_histograms(
     axes: Axes, forces_by_pair: ForcesByPair, edges: np.ndarray, colour: str
 ) -> np.ndarray:
-    """Draw the histogram at each pair in 1/µN; return their densities (pair, bin) in 1/N."""
+    """Draw a histogram (1/µN) of the forces at each pair; return densities (pair, bin) in 1/N."""
     looks: dict[str, style.Look] = {
         "published": {**AT_PUBLISHED, "color": colour, "fill": True},
         "fitted": {**AT_FIT, "edgecolor": colour},

@@ -13,10 +13,10 @@ from hardcontact.report.figures import drawing, panels, style
 
 LINE_COLOURS = {"x": "#B2182B", "y": "#053061"}  # as in the paper; colours of no surface
 COLOUR_BEFORE = "0.5"  # grey: the sphere before contact
-#: Shades of depths in (a) and of preloads, whose published values are black.
+#: Shades of depths in (a) and of preloads in (d-f), where published sizes are black.
 DEPTH_COLOURS = mpl.colormaps["Purples"]
 PRELOAD_STYLES = ("-", "-.", ":")  # dashed lines are published
-SIZES = {  # title, axis label, name of the published constant
+SIZES = {  # by variable: title, axis label, name of the published constant
     "depth": ("deepest point", "depth (nm)", "indent_depth"),
     "equal_area_side": ("largest indent", "side of an equal square (nm)", "indent_edge_length"),
     "longer_side": ("largest indent", "longer side (nm)", "indent_edge_length"),
@@ -70,7 +70,7 @@ def _draw_map(axes: Axes, contact: xr.Dataset) -> None:
 
 
 def _draw_line(axes: Axes, contact: xr.Dataset, axis: str) -> None:
-    """Draw the sphere's height (nm, outwards) along x or y through the deepest point."""
+    """Draw the sphere, its indents down, along x or y (nm) through the deepest point."""
     other_axis = "y" if axis == "x" else "x"
     line = contact.sel({other_axis: 0})  # x and y are relative to the deepest point
     height_before = -line["sphere_height"]
@@ -89,13 +89,13 @@ def _draw_sizes(
     axes: Axes, sizes: xr.DataArray, published: float, published_preload: float
 ) -> None:
     """Draw the distribution of a size (nm) over all contacts by preload, and the published size."""
-    contacts = [dim for dim in sizes.dims if dim != "preload"]
-    quantiles = sizes.quantile(SHARES, contacts, method="inverted_cdf").transpose("preload", ...)
+    other_dims = [dim for dim in sizes.dims if dim != "preload"]
+    quantiles = sizes.quantile(SHARES, other_dims, method="inverted_cdf").transpose("preload", ...)
     shades = DEPTH_COLOURS(np.linspace(0.5, 0.95, quantiles.sizes["preload"]))
-    for values, colour, dashes in zip(quantiles, shades, cycle(PRELOAD_STYLES), strict=False):
-        label = f"computed, {_format_preload(values['preload'])}"
+    for curve, colour, dashes in zip(quantiles, shades, cycle(PRELOAD_STYLES), strict=False):
+        label = f"computed, {_format_preload(curve['preload'])}"
         look: style.Look = {"color": colour, "ls": dashes, "drawstyle": "steps-post"}
-        axes.plot(values, SHARES, label=label, **look)
+        axes.plot(curve, SHARES, label=label, **look)
     label = f"published, {_format_preload(published_preload)}"
     axes.axvline(published, color=style.PUBLISHED_COLOUR, lw=1.0, ls="--", label=label)
     axes.set_ylim(0, 1)

@@ -30,10 +30,10 @@ def draw(
     published_edges = panels.published_band(published_constants)
     for letter, side, published, axes in zip("ab", TITLES, published_edges, both_axes, strict=True):
         _draw_side(axes, edges.sel(side=side))
-        axes.axvline(published, zorder=1, **style.PUBLISHED_LENGTH)
+        axes.axvline(published, zorder=1, **style.PUBLISHED_LOOK)
         transition = float(filtered_forces["transition"].sel(side=side))
-        artificial = (0.0, transition) if side == "short" else (transition, np.inf)
-        panels.hatch_bands(axes, [artificial])
+        artificial_band = (0.0, transition) if side == "short" else (transition, np.inf)
+        panels.hatch_bands(axes, [artificial_band])
         axes.set_xlabel("cutoff wavelength (nm)")
         style.label_panel(axes, letter, TITLES[side])
     rho = filtered_forces.attrs["rho"]
@@ -46,7 +46,7 @@ def draw(
         Line2D([], [], color="0.6", lw=0.7, label=f"{confidence} interval (bars)"),
         Patch(label=f"change below {tolerance}", **panels.UNCHANGED_LOOK),
         Line2D([], [], label=f"edge: first change by {tolerance} from 1", mec="0.3", **EDGE_LOOK),
-        Line2D([], [], label=f"published edges: {edge_words}", **style.PUBLISHED_LENGTH),
+        Line2D([], [], label=f"published edges: {edge_words}", **style.PUBLISHED_LOOK),
         Patch(label="artificial roughness", **style.HATCHED_LOOK),
     ]
     style.legend_above(figure, handles)
@@ -60,10 +60,10 @@ def _draw_side(axes: Axes, edges: xr.Dataset) -> None:
     ratio = ratio.dropna("cutoff_wavelength", how="all")
     low, high = axes.get_ylim()
     is_shown = (low < ratio["value"]) & (ratio["value"] < high)
-    # Ratios beyond the y axis have no bars; some stay, so that curves leave the frame.
+    # Ratios beyond the y axis have no bars; those next to shown ones let curves leave the frame.
     ratio = ratio.assign(ratio[["low", "high"]].where(is_shown))
-    neighbours = is_shown.any("surface").rolling(cutoff_wavelength=3, center=True, min_periods=1)
-    ratio = ratio.where(neighbours.max() > 0, drop=True)
+    windows = is_shown.any("surface").rolling(cutoff_wavelength=3, center=True, min_periods=1)
+    ratio = ratio.where(windows.max() > 0, drop=True)
     panels.draw_ratios(axes, ratio, tolerance)
     for look, curve in style.iterate_surfaces(ratio["value"]):
         edge = edges["edge"].sel(group=curve["surface"].item()).item()

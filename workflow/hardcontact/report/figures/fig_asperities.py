@@ -14,7 +14,7 @@ from hardcontact.report.figures import drawing, panels, style
 MICROMETRE = 1000  # nm
 EDGE_INTERVAL: style.Look = {"fc": "0.94", "ec": "0.7", "hatch": r"\\\\", "lw": 0, "zorder": 0}
 QUARTILES = {"low": 0.25, "value": 0.5, "high": 0.75}
-QUANTITIES = {  # title, axis, printed unit
+QUANTITIES = {  # title, axis label, printed unit
     "largest_share": ("strongest asperity", "share of the force", 1),
     "two_largest_share": ("two strongest asperities", "share of the force", 1),
     "asperity_count": ("asperities with {share:g} % of the force", "number of asperities", 1),
@@ -23,7 +23,7 @@ QUANTITIES = {  # title, axis, printed unit
 
 
 def draw(asperities: xr.Dataset, edges: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
-    """Draw the force on (a) the strongest and (b) two asperities, (c) numbers, (d) extents."""
+    """Draw shares of (a) the strongest and (b) the two strongest, (c) numbers, (d) extents."""
     figure = drawing.create_figure(5.2, asperities)
     grid = figure.subplots(2, 2, sharex=True)
     share = asperities.attrs["share"]
@@ -47,14 +47,14 @@ def draw(asperities: xr.Dataset, edges: xr.Dataset, published_constants: pd.Data
         axes.set(xscale="log", yscale="log", xlabel="range of adhesion ρ (nm)")
         style.label_logarithmic(axes.xaxis, axes.yaxis)
     entries = style.legend_entries((grid[0, 0], grid[1, 1]))
-    spread = Patch(color="0.3", alpha=style.OPACITY, lw=0, label="half of the contacts (bands)")
+    spread = Patch(color="0.3", label="half of the contacts (bands)", **style.SPREAD_LOOK)
     style.legend_above(figure, [*entries.values(), spread])
     return figure
 
 
 def _draw_smooth(axes: Axes, asperities: xr.Dataset) -> None:
     """Draw the extent of the force and the interaction radius (µm) of a smooth sphere."""
-    # The attraction falls with the distance r from the apex as exp(-r²/(Dρ)).
+    # The attraction falls with the distance r from the apex as exp(-r²/(Dρ)); D is the diameter.
     radius = np.sqrt(2 * asperities.attrs["sphere_radius"] * asperities["rho"])
     extent = 2 * radius * np.sqrt(-np.log(1 - asperities.attrs["share"]))
     for lengths, label, dashes in (
@@ -68,7 +68,7 @@ def _draw_smooth(axes: Axes, asperities: xr.Dataset) -> None:
 def _draw_long_edge(axes: Axes, edges: xr.Dataset, published_constants: pd.DataFrame) -> None:
     """Draw the long edge (µm) of the averaged change, and the published edge."""
     mean_edge = edges.sel(side="long", group=MEAN_GROUP)
-    edge = panels.value_and_bounds(mean_edge, "edge")
+    edge = panels.scalar_and_interval(mean_edge, "edge")
     value, low, high = np.array([edge["value"], edge["low"], edge["high"]]) / MICROMETRE
     _, published = panels.published_band(published_constants)
     confidence = format_share(edges.attrs["confidence"])

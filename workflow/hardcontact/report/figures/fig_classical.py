@@ -12,6 +12,7 @@ from hardcontact.report.figures import drawing, panels, style
 MIN_DRAWN_FORCE = 1e-6  # µN; a model that predicts less predicts no force at all
 #: Roughness that enters a model, with its legend: rms values of scans, or of all wavelengths.
 METRIC_LABELS = {"afm": "AFM scans alone", "all_scales": "all scales"}
+#: By the forces with which a model is compared.
 ERROR_LOOKS: dict[str, style.Look] = {
     "published": {"color": style.PUBLISHED_COLOUR, "marker": "o"},
     "computed": {"color": "0.55", "marker": "s"},
@@ -47,7 +48,7 @@ def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
     values = np.concatenate([classical[name].values.ravel() for name in names]) / style.MICRONEWTON
     drawn_values = values[values > MIN_DRAWN_FORCE]
     bottom, top = drawn_values.min() / 12, drawn_values.max() * 6
-    # Forces below MIN_DRAWN_FORCE are drawn in a strip above the bottom.
+    # The middle of a strip from `bottom` to three times `bottom`, for forces that are not drawn.
     no_force_height = 1.7 * bottom
     offsets = np.linspace(-0.3, 0.3, classical.sizes["surface"])
     for offset, (look, surface_data) in zip(
@@ -83,7 +84,7 @@ def _draw_model_forces(
 
 
 def _draw_errors(axes: Axes, classical: xr.Dataset) -> None:
-    """Draw the mean relative error, least over the work of adhesion, of each model."""
+    """Draw the mean relative error of each model at its best work of adhesion."""
     errors = panels.value_and_interval(classical, "mean_relative_error")
     threshold = classical.attrs["error_threshold"]
     axes.axhspan(0, threshold, color="0.88", zorder=0)

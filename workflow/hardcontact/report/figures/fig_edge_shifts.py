@@ -23,9 +23,9 @@ def draw(edge_shifts: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     for letter, (model, rho), (ratio_panel, edge_panel) in zip("abcd", cases, grid.T, strict=True):
         _draw_case(ratio_panel, edge_panel, edges.sel(contact_model=model, rho=rho))
         for axes in (ratio_panel, edge_panel):
-            axes.axvline(published, **style.PUBLISHED_LENGTH)
+            axes.axvline(published, **style.PUBLISHED_LOOK)
         style.label_panel(ratio_panel, letter, f"{model}, ρ = {rho:g} nm")
-    # Bars of two or three masters would stretch the axis over many decades.
+    # Intervals over two or three masters would stretch the axis over many decades.
     ratios = edges["filtered_force_ratio"]
     grid[0, 0].set_ylim(ratios.min() / 2, ratios.max() * 2)
     grid[0, 0].set_ylabel("force / unfiltered force")
@@ -34,7 +34,7 @@ def draw(edge_shifts: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     handles = [
         *style.surface_handles(edge_shifts),
         Line2D([], [], label="averaged change", **style.MEAN_LOOK),
-        Line2D([], [], label=f"published short edge: {published:g} nm", **style.PUBLISHED_LENGTH),
+        Line2D([], [], label=f"published short edge: {published:g} nm", **style.PUBLISHED_LOOK),
         Line2D([], [], lw=1.4, color="0.3", label=f"{confidence} interval (bars)"),
         Patch(label=f"change below {tolerance}", **panels.UNCHANGED_LOOK),
         Line2D([], [], ls="none", marker="<", ms=5, color="0.3", label="beyond the cutoffs"),

@@ -12,9 +12,9 @@ from hardcontact.base.units import GIGAPASCAL
 from hardcontact.report.figures import drawing, panels, style
 
 PRESSURE_COLOURS = "RdBu_r"  # white at the hardness
-PRESSURE_TICKS = np.array([0.1, 0.3, 1, 3, 10])  # of the pressure, over the hardness
+PRESSURE_TICKS = np.array([0.1, 0.3, 1, 3, 10])  # pressures relative to the hardness
 NO_CONTACT_COLOUR = "0.75"
-MOST_SHARE = 0.5  # share of the contact area that the paper calls "most"
+MOST_SHARE = 0.5  # of the contact area; the paper calls a larger share "most"
 MOST_LOOK: style.Look = {"color": "0.9", "lw": 0, "zorder": 0}
 PRESSURE_LEVELS = {  # attribute: label, line
     "hardness": ("hardness", "-"),
@@ -24,7 +24,7 @@ SCAN_SPREAD = 0.6  # width of the scans of one surface, relative to the distance
 
 
 def draw(elastic: xr.Dataset) -> Figure:
-    """Draw (a) the pressure of one contact a surface, (b-d) all contacts, one dot each."""
+    """Draw (a) the pressure of one contact on each surface, (b-d) all contacts as dots."""
     surfaces = elastic.sizes["surface"]
     figure, (maps, (share_axes, peak_axes, force_axes)) = drawing.create_rows(
         5.1, elastic, row_heights=(1, 1.3), panel_widths=([1] * surfaces, (1, 1, 1))
@@ -83,7 +83,7 @@ def _draw_pressures(row: np.ndarray, elastic: xr.Dataset) -> None:
     pressure = elastic.set_coords("label")["pressure"].transpose("surface", "y", "x") / GIGAPASCAL
     reach = 1.1 * panels.mask_half_width((pressure > 0).any("surface"))
     for position, (axes, surface_data) in enumerate(zip(row, pressure, strict=True), start=1):
-        # At pixels of other surfaces there is no value.
+        # Pixels that only other surfaces have are NaN.
         surface_data = surface_data.dropna("y", how="all").dropna("x", how="all")
         contact = surface_data.where(surface_data > 0)
         colours = {"norm": LogNorm(ticks[0], ticks[-1]), "cmap": PRESSURE_COLOURS}
@@ -102,7 +102,7 @@ def _draw_pressures(row: np.ndarray, elastic: xr.Dataset) -> None:
 
 
 def _draw_contacts(axes: Axes, values: xr.DataArray) -> None:
-    """Draw one dot a contact, the scans of a surface side by side, and a bar at the median."""
+    """Draw a dot for each contact, the scans of a surface side by side, and a bar at the median."""
     offsets = np.linspace(-SCAN_SPREAD / 2, SCAN_SPREAD / 2, values.sizes["scan"])[:, None]
     values = values.transpose("surface", "scan", "contact")
     for position, (look, surface_data) in enumerate(style.iterate_surfaces(values)):

@@ -9,7 +9,7 @@ from matplotlib.lines import Line2D
 from hardcontact.base.statistics import log_std_of_lognormal
 from hardcontact.report.figures import drawing, style
 
-#: Symbol, colour and words of each kind of surface; no surface of the study has these colours.
+#: Symbol, colour and words of each kind of surface; no coating has these colours.
 KIND_LOOKS: dict[str, style.Look] = {
     "bumps": {"marker": "^", "color": "#882255", "label": "bumps"},
     "pits": {"marker": "v", "color": "#332288", "label": "pits"},
@@ -19,7 +19,7 @@ EQUALITY_LOOK: style.Look = {"color": "0.6", "lw": 0.8}
 
 
 def draw(features: xr.Dataset, published_pull_off: pd.DataFrame) -> Figure:
-    """Draw (a) median and (b) scatter of the forces on each candidate against their mean."""
+    """Draw (a) median and (b) scatter of the forces on each surface against their mean."""
     figure = drawing.create_figure(3.2, features)
     median_axes, scatter_axes = figure.subplots(1, 2)
     for kind, look in KIND_LOOKS.items():
@@ -30,13 +30,14 @@ def draw(features: xr.Dataset, published_pull_off: pd.DataFrame) -> Figure:
         scatter_axes.scatter(mean, candidates["log_force_std"], s=14, **look)
     # NaN if the paper has no forces on the surface.
     forces = published_pull_off.reindex([features.attrs["surface"]]).iloc[0]
-    mean, median = (forces[name] / style.MICRONEWTON for name in ("mean_force", "median_force"))
-    log_std = log_std_of_lognormal(forces["mean_force"], forces["median_force"])
-    published: style.Look = {"marker": "s", "color": "black", "label": "published"}
-    median_axes.plot(mean, median, ls="none", **published)
-    scatter_axes.plot(mean, log_std, ls="none", **published)
+    published_mean = forces["mean_force"] / style.MICRONEWTON
+    published_median = forces["median_force"] / style.MICRONEWTON
+    published_log_std = log_std_of_lognormal(forces["mean_force"], forces["median_force"])
+    published_look: style.Look = {"marker": "s", "color": "black", "label": "published"}
+    median_axes.plot(published_mean, published_median, ls="none", **published_look)
+    scatter_axes.plot(published_mean, published_log_std, ls="none", **published_look)
     means = features["mean_force_at_pair"].values / style.MICRONEWTON
-    ends = [np.nanmin(means, initial=mean), np.nanmax(means, initial=mean)]
+    ends = [np.nanmin(means, initial=published_mean), np.nanmax(means, initial=published_mean)]
     median_axes.plot(ends, ends, zorder=0, **EQUALITY_LOOK)
     median_axes.set(xscale="log", yscale="log", ylabel="median force (µN)")
     scatter_axes.set(xscale="log", ylabel="standard deviation of ln F")
@@ -46,7 +47,7 @@ def draw(features: xr.Dataset, published_pull_off: pd.DataFrame) -> Figure:
     style.label_logarithmic(
         median_axes.xaxis, median_axes.yaxis, scatter_axes.xaxis, digits=(1, 2, 5)
     )
-    handles = [Line2D([], [], ls="none", **look) for look in (*KIND_LOOKS.values(), published)]
+    handles = [Line2D([], [], ls="none", **look) for look in (*KIND_LOOKS.values(), published_look)]
     handles.append(Line2D([], [], label="median = mean (a)", **EQUALITY_LOOK))
-    style.legend_above(figure, handles, 5)
+    style.legend_above(figure, handles, max_columns=5)
     return figure

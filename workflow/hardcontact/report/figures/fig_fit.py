@@ -39,7 +39,7 @@ def draw(fit: xr.Dataset, sets: xr.Dataset, published_constants: pd.DataFrame) -
     handles = [
         *style.legend_entries([curves]).values(),
         Line2D([], [], marker="|", ms=9, ls="none", label=interval, color="black"),
-        Line2D([], [], label=f"published range, ρ = {published:g} nm", **style.PUBLISHED_LENGTH),
+        Line2D([], [], label=f"published range, ρ = {published:g} nm", **style.PUBLISHED_LOOK),
     ]
     style.legend_above(figure, handles)
     for axes in (curves, error_map):
@@ -48,7 +48,7 @@ def draw(fit: xr.Dataset, sets: xr.Dataset, published_constants: pd.DataFrame) -
 
 
 def _draw_smallest_error(axes: Axes, fit: xr.Dataset, set_fits: xr.Dataset) -> None:
-    """Draw the error, least over W, against rho (nm), and the best fit of each set."""
+    """Draw the error at the best W against rho (nm), and the best fit of each set."""
     plastic_fit = fit.sel(contact_model=PLASTIC)
     threshold = fit.attrs["error_threshold"]
     set_look: style.Look = {"color": "0.6", "ms": 4, "mew": 0, "alpha": 0.8}
@@ -57,7 +57,7 @@ def _draw_smallest_error(axes: Axes, fit: xr.Dataset, set_fits: xr.Dataset) -> N
     for model in [name for name in MODEL_LOOKS if name in fit["contact_model"]]:
         curve = fit["best_error_by_range"].sel(contact_model=model)
         axes.plot(curve["rho_fine"], curve, lw=1.2, label=f"{model} contact", **MODEL_LOOKS[model])
-    best = panels.value_and_bounds(plastic_fit, "best_error")
+    best = panels.scalar_and_interval(plastic_fit, "best_error")
     ends = [best["low"], best["high"]]
     axes.plot([plastic_fit["range_of_adhesion"]] * 2, ends, color="black", lw=1.0)
     _mark_minima(axes, plastic_fit, "error")
@@ -107,7 +107,7 @@ def _mark_published_fit(axes: Axes, published_constants: pd.DataFrame) -> None:
 
 
 def _mark_minima(axes: Axes, fit: xr.Dataset, ordinate: str, unit: float = 1) -> None:
-    """Mark the best fit of the study with a star, other minima of the error with rings."""
+    """Mark the best fit with a star, other minima of the error with rings, at `work` or `error`."""
     best = fit[{"work": "work_of_adhesion", "error": "best_error"}[ordinate]] / unit
     is_other = fit["range_at_minimum"].values != fit["range_of_adhesion"].item()
     ranges = fit["range_at_minimum"][is_other]

@@ -1,4 +1,4 @@
-"""Octaves: which wavelengths the force follows, and whether those of two bands suffice."""
+"""Change of the force with the amplitude of each octave, and forces with parts of the roughness."""
 
 import numpy as np
 import pandas as pd
@@ -20,14 +20,14 @@ def draw(
     edges: xr.Dataset,
     published_constants: pd.DataFrame,
 ) -> Figure:
-    """Draw the sensitivity to each octave, and the force with only a part of the roughness."""
+    """Draw (a) the sensitivity to each octave, (b, c) forces with parts of the roughness."""
     figure, ((octave_axes,), ratio_axes) = drawing.create_rows(
         5.4, sensitivity, row_heights=(3, 2.2), panel_widths=([1], [1, 1])
     )
     octave_axes.axvspan(*panels.published_band(published_constants), **PUBLISHED_BAND_LOOK)
     panels.draw_octaves(octave_axes, sensitivity)
     style.label_panel(octave_axes, "a", "change of the force with the amplitude of one octave")
-    tolerance = edges.attrs["tolerance"]
+    tolerance = edges.attrs["tolerance"]  # all that this figure takes from the edges
     titles = {"published": "published band", "computed": "computed band"}
     ratio_axes[1].sharey(ratio_axes[0])
     for letter, axes, (band_name, title) in zip("bc", ratio_axes, titles.items(), strict=True):

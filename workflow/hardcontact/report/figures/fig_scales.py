@@ -16,7 +16,7 @@ from hardcontact.report.figures import drawing, panels, style
 from hardcontact.surfaces.filters import filtered_series, interpolate
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 
-BAND_LOOK: style.Look = {"color": "0.4", "alpha": 0.2, "lw": 0}
+PUBLISHED_BAND_LOOK: style.Look = {"color": "0.4", "alpha": 0.2, "lw": 0}
 SCAN_LOOK: style.Look = {"ls": "none", "ms": 3, "mfc": "white", "mew": 0.8}
 ARTIFICIAL_LINE: style.Look = {"ls": (0, (2, 1.2)), "marker": "", "lw": 1.0}
 PROFILE_LOOKS: tuple[style.Look, ...] = (  # no surface has the colours of the last two
@@ -24,7 +24,7 @@ PROFILE_LOOKS: tuple[style.Look, ...] = (  # no surface has the colours of the l
     {"lw": 0.9, "color": "#332288"},
     {"lw": 1.1, "color": "#882255", "ls": "--"},
 )
-SPHERE_LOOK: style.Look = {"color": style.SPHERE_COLOUR, "lw": 1.4, "ls": "-."}
+SPHERE_LINE: style.Look = {"color": style.SPHERE_COLOUR, "lw": 1.4, "ls": "-."}
 SCALE_BAR = 500  # nm
 MAP_COLOURS = mpl.colormaps["viridis"].resampled(20)  # few colours halve the SVG
 #: Smaller values of a spectrum (nm⁴) are zero but for rounding: the spectrum ends there.
@@ -41,7 +41,8 @@ def draw(
         7.4, topography, row_heights=(2.3, 2.1, 1.4), panel_widths=([1], [1, 1, 1], [1])
     )
     _draw_spectra(spectrum_axes, topography, filtered_forces, band)
-    surface, sphere = (topography.attrs[f"{kind}_surface"] for kind in ("reference", "sphere"))
+    surface = topography.attrs["reference_surface"]
+    sphere = topography.attrs["sphere_surface"]
     colour = style.surface_colours(topography["surface"].values, sphere)[surface]
     scan = topography.sel(surface=surface)
     maps = filtered_heights(scan, band)
@@ -50,7 +51,7 @@ def draw(
     short, long = (format_length(edge) for edge in band)
     handles = [
         *style.surface_handles(topography),
-        Patch(label=f"published band, {short} to {long}", **BAND_LOOK),
+        Patch(label=f"published band, {short} to {long}", **PUBLISHED_BAND_LOOK),
         Line2D([], [], color="0.3", marker="o", label="mean of the scans", **SCAN_LOOK),
         Patch(label="artificial roughness (dashed)", **style.HATCHED_LOOK),
     ]
@@ -72,14 +73,14 @@ def filtered_heights(scan: xr.Dataset, band: Sequence[float]) -> dict[str, np.nd
         f"none below {format_length(band[0])}": long_waves,
         f"none above {format_length(band[1])}": short_waves,
     }
-    half = slice(pixels // 2)
-    return {title: periodic.heights[half, half] for title, periodic in surfaces.items()}
+    unmirrored = slice(pixels // 2)
+    return {title: periodic.heights[unmirrored, unmirrored] for title, periodic in surfaces.items()}
 
 
 def _draw_spectra(
     axes: Axes, topography: xr.Dataset, filtered_forces: xr.Dataset, band: Sequence[float]
 ) -> None:
-    """Draw the spectra of scans, and at all scales, dashed where roughness is artificial."""
+    """Draw spectra: of scans, and at all scales, dashed where roughness is artificial."""
     wavelengths = 2 * np.pi / topography["wavevector"]
     shortest, longest = filtered_forces["transition"].sel(side=["short", "long"]).values
     is_artificial = (wavelengths < shortest) | (wavelengths > longest)
@@ -90,10 +91,10 @@ def _draw_spectra(
         axes.plot(wavelengths, spectrum.where(~is_artificial), **line)
         axes.plot(wavelengths, spectrum, **look | ARTIFICIAL_LINE)
         axes.plot(wavelengths, scan_spectrum, **look | SCAN_LOOK)
-    axes.axvspan(*band, zorder=0, **BAND_LOOK)
-    wavelengths_shown = filtered_forces["spectrum_end"].values
+    axes.axvspan(*band, zorder=0, **PUBLISHED_BAND_LOOK)
+    spectrum_ends = filtered_forces["spectrum_end"].values
     axes.set(xscale="log", yscale="log", xlabel="wavelength (nm)", ylabel="isotropic PSD (nm⁴)")
-    axes.set_xlim(wavelengths_shown.min(), wavelengths_shown.max())
+    axes.set_xlim(spectrum_ends.min(), spectrum_ends.max())
     highest = 10 * topography["spectrum"].max().item()
     axes.set_ylim(highest / 10**SHOWN_DECADES, highest)
     style.label_logarithmic(axes.xaxis)
@@ -130,7 +131,7 @@ def _draw_profiles(
     unfiltered, *_ = maps.values()
     profile = unfiltered[len(x) // 2]
     label = f"smooth sphere, radius {format_length(radius)}"
-    axes.plot(x, parabola + (profile - parabola).max(), **SPHERE_LOOK, label=label)
+    axes.plot(x, parabola + (profile - parabola).max(), **SPHERE_LINE, label=label)
     axes.set(xlabel="position (nm)", ylabel="height (nm)", xlim=(0, scan["scan_size"].item()))
     low, high = axes.get_ylim()
     axes.set_ylim(low - 0.25 * (high - low), high)  # leaves room for the legend

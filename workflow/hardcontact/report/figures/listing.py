@@ -1,10 +1,11 @@
-"""The figures of workflow/report/figures.yaml, which rules and pages read without matplotlib."""
+"""The figures that workflow/report/figures.yaml lists: for rules and pages, without matplotlib."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
 import yaml
+from jinja2 import Environment, StrictUndefined
 
 from hardcontact.base.formatting import format_share
 from hardcontact.base.published import PUBLISHED_TABLES
@@ -36,9 +37,7 @@ def describe_figure(name: str) -> Description:
 
 
 def render_description(name: str, facts: Mapping[str, Any]) -> Description:
-    """Return the description of a figure with the facts that its templates name."""
-    from jinja2 import Environment, StrictUndefined
-
+    """Return the description of a figure, with its templates filled by facts."""
     environment = Environment(undefined=StrictUndefined)
     environment.filters["percent"] = format_share
     figure = describe_figure(name)

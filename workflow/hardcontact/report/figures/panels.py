@@ -1,4 +1,4 @@
-"""Values and parts of panels that several figures share: maps, curves, edges, wavelengths, fits."""
+"""Values and parts of panels that several figures share: maps, curves, edges, octaves, axes."""
 
 from collections.abc import Iterable, Mapping
 from typing import Any
@@ -17,11 +17,12 @@ from hardcontact.report.figures import style
 from hardcontact.report.figures.style import Look
 
 OCTAVE_SHARE = 0.84  # of an octave that its bars cover
-SPHERE_SHARE_LOOK: Look = {"color": style.SPHERE_COLOUR, "lw": 0}  # of the bar of an octave
-UNCHANGED_LOOK: Look = {"color": "0.88", "lw": 0}  # of changes of the force that do not count
+SPHERE_SHARE_LOOK: Look = {"color": style.SPHERE_COLOUR, "lw": 0}  # of a part of a bar
+UNCHANGED_LOOK: Look = {"color": "0.88", "lw": 0}  # of changes of the force within the tolerance
 RATIO_BAR_OPACITY = 0.45  # many opaque bars would hide the symbols
 #: Largest end of the y axis relative to the largest bar, which longer intervals would make small.
 MAX_AXIS_OVER_BAR = 2.0
+#: Of arrows at the ends of the axis, where it cuts intervals.
 CUT_LOOK: Look = {"color": "0.25", "ms": 3.5, "mew": 0, "clip_on": False, "zorder": 4}
 #: Share of the sets of substitutes between `low` and `high`: the middle of all sets.
 SHARE_OF_SETS = 0.9
@@ -36,13 +37,13 @@ def value_and_interval(data: xr.Dataset, name: str) -> xr.Dataset:
     return value.assign(low=low, high=high)
 
 
-def value_and_bounds(data: xr.Dataset, name: str) -> dict[str, Any]:
-    """Return the numbers of `value_and_interval` for a variable without dimensions."""
+def scalar_and_interval(data: xr.Dataset, name: str) -> dict[str, Any]:
+    """Return `value_and_interval` of a variable without dimensions, as numbers."""
     return {str(end): number.item() for end, number in value_and_interval(data, name).items()}
 
 
 def summarize_sets(values: xr.DataArray) -> xr.Dataset:
-    """Return the median over the sets as `value`, the ends of SHARE_OF_SETS as `low` and `high`."""
+    """Return the median over the sets, `value`, and `low` and `high` around SHARE_OF_SETS."""
     tail = (1 - SHARE_OF_SETS) / 2
     quantiles = values.quantile([0.5, tail, 1 - tail], "set", skipna=False)
     ends = zip(("value", "low", "high"), quantiles.drop_vars("quantile"), strict=True)
@@ -60,7 +61,7 @@ def mask_half_width(mask: xr.DataArray) -> float:
 
 
 def format_pair(pair: pd.Series | xr.Dataset) -> str:
-    """Return a pair of range and work of adhesion as text."""
+    """Return a pair of range (nm) and work of adhesion (J/m²) as text."""
     work = float(pair["work_of_adhesion"]) / style.MILLIJOULE
     return f"ρ = {float(pair['range_of_adhesion']):.3g} nm, $W$ = {work:.3g} mJ/m²"
 
@@ -83,14 +84,17 @@ def draw_map(axes: Axes, heights: np.ndarray, size: float, colour: str) -> None:
 def draw_band(axes: Axes, x: Any, curve: xr.Dataset, colour: str) -> None:
     """Fill a band from `low` to `high` where `low` is positive and `high` finite."""
     is_bounded = (curve["low"] > 0) & (curve["high"] < np.inf)
-    look: Look = {"color": colour, "alpha": style.OPACITY, "lw": 0}
-    axes.fill_between(x, curve["low"], curve["high"], where=is_bounded, **look)
+    low, high = curve["low"], curve["high"]
+    axes.fill_between(x, low, high, where=is_bounded, color=colour, **style.SPREAD_LOOK)
 
 
 def draw_bars(
     axes: Axes, x: Any, curve: xr.Dataset, width: float = 0.8, opacity: float = 1.0, **look: Any
 ) -> None:
-    """Draw `value` against x, and bars of a width (points) from `low` to `high`, without caps."""
+    """Draw `value` against x, and bars of a width (points) from `low` to `high`, without caps.
+
+    `ecolor` is the colour of the bars, if not `color`.
+    """
     # Infinite ends become finite, because a line to infinity is not drawn.
     low, high = (np.nan_to_num(curve[end], nan=np.nan) for end in ("low", "high"))
     colour = look.pop("ecolor", look["color"])
@@ -107,7 +111,7 @@ def draw_tolerance(axes: Axes, tolerance: float) -> None:
 
 
 def draw_ratios(axes: Axes, ratio: xr.Dataset, tolerance: float) -> None:
-    """Draw force ratios against the cutoff (nm, logarithmic) by surface, and the tolerance."""
+    """Draw the force ratios of each surface against the cutoff (nm), and the tolerance."""
     draw_tolerance(axes, tolerance)
     for factor, look, curve in style.iterate_dodged(ratio):
         cutoffs = factor * curve["cutoff_wavelength"]
@@ -122,15 +126,15 @@ def draw_edges(
 ) -> None:
     """Draw the edge (nm) of each group with its interval, a row for each surface and for the mean.
 
-    What is at a position (nm) of `arrows` lies there or beyond, and is drawn as its marker.
+    `arrows` has the position (nm) of each marker: edges and ends of intervals there lie beyond.
     """
     looks = style.surface_looks(labels["surface"].values) | {MEAN_GROUP: style.MEAN_LOOK}
     for row, (group, look) in enumerate(looks.items()):
         value, low, high = edges[["value", "low", "high"]].sel(group=group).to_array().values
         axes.plot([low, high], [row, row], color=look["color"], lw=1.4)
-        for arrow, end in arrows.items():
-            if np.isclose([value, low, high], end).any():
-                axes.plot(end, row, arrow, color=look["color"], ms=5, mew=0, clip_on=False)
+        for arrow, position in arrows.items():
+            if np.isclose([value, low, high], position).any():
+                axes.plot(position, row, arrow, color=look["color"], ms=5, mew=0, clip_on=False)
         if not np.isclose(value, list(arrows.values())).any():
             axes.plot(value, row, **look)
     axes.set_yticks(range(len(looks)), [*labels.values, "averaged change"])
@@ -138,25 +142,26 @@ def draw_edges(
 
 
 def draw_octaves(axes: Axes, sensitivity: xr.Dataset) -> None:
-    """Draw d ln F / d ln a of each octave, a bar and a symbol for each surface, with its interval.
+    """Draw the change of the force with the amplitude of each octave, with intervals, by surface.
 
-    `octave` is the shortest wavelength (nm) of each; `is_shown` and `sphere_share` are optional.
+    `octave` is the shortest wavelength (nm) of each. Optional are `is_shown`, false without
+    reliable scan, and `sphere_share`, the part of a bar in the colour of the sphere.
     """
     octaves = sensitivity["octave"].values
     surfaces = sensitivity.assign(value_and_interval(sensitivity, "octave_sensitivity"))
-    width = OCTAVE_SHARE / surfaces.sizes["surface"]
+    width = OCTAVE_SHARE / surfaces.sizes["surface"]  # of a bar, in octaves
     for column, (look, curve) in enumerate(style.iterate_surfaces(surfaces)):
-        positions = octaves * 2 ** ((1 - OCTAVE_SHARE) / 2 + width * column)
+        starts = octaves * 2 ** ((1 - OCTAVE_SHARE) / 2 + width * column)
         if "is_shown" in curve:
-            for position in positions[~curve["is_shown"].values]:
-                axes.axvspan(position, position * 2**width, **style.HATCHED_LOOK)
-        widths = positions * (2**width - 1)
-        axes.bar(positions, curve["value"], widths, align="edge", color=look["color"])
+            for start in starts[~curve["is_shown"].values]:
+                axes.axvspan(start, start * 2**width, **style.HATCHED_LOOK)
+        widths = starts * (2**width - 1)  # in nm
+        axes.bar(starts, curve["value"], widths, align="edge", color=look["color"])
         if "sphere_share" in curve:
             sphere_part = curve["value"] * curve["sphere_share"]
-            axes.bar(positions, sphere_part, widths, align="edge", **SPHERE_SHARE_LOOK)
+            axes.bar(starts, sphere_part, widths, align="edge", **SPHERE_SHARE_LOOK)
         symbol: Look = look | {"mec": "white", "mew": 0.6, "ms": 4}
-        middles = positions * 2 ** (width / 2)
+        middles = starts * 2 ** (width / 2)
         draw_bars(axes, middles, curve, width=0.7, ls="none", ecolor="0.25", **symbol)
     axes.axhline(0, color="0.3", lw=0.6)
     axes.set(xscale="log", xlabel="wavelength (nm)", ylabel="force change (%) per 1 % amplitude")
@@ -165,13 +170,13 @@ def draw_octaves(axes: Axes, sensitivity: xr.Dataset) -> None:
 
 
 def cut_long_intervals(axes: Axes, largest_bar: float) -> None:
-    """End the y axis at most at MAX_AXIS_OVER_BAR, and mark longer intervals by arrows there."""
+    """End the y axis at MAX_AXIS_OVER_BAR largest bars at most; arrows mark longer intervals."""
     limit = MAX_AXIS_OVER_BAR * largest_bar
     low, high = axes.get_ylim()
     low, high = max(low, -limit), min(high, limit)
     axes.set_ylim(low, high)
-    lines = [artist for artist in axes.collections if isinstance(artist, LineCollection)]
-    segments = [segment for line in lines for segment in line.get_segments() if len(segment) == 2]
+    artists = [artist for artist in axes.collections if isinstance(artist, LineCollection)]
+    segments = [line for artist in artists for line in artist.get_segments() if len(line) == 2]
     x, y = np.moveaxis(np.array(segments).reshape(-1, 2, 2), -1, 0)  # each (interval, end)
     for end, is_beyond, arrow in ((low, y < low, "v"), (high, y > high, "^")):
         cut_x = x[is_beyond.any(axis=1), 0]
@@ -190,6 +195,6 @@ def hatch_bands(axes: Axes, bands: Iterable[tuple[float, float]]) -> None:
 def finish_range_axis(axes: Axes, ranges: np.ndarray, published_constants: pd.DataFrame) -> None:
     """Draw the published range of adhesion (nm), and limit and label the x axis of ranges."""
     rho = published_constants["value"]["range_of_adhesion"]
-    axes.axvline(rho, zorder=1, **style.PUBLISHED_LENGTH)
+    axes.axvline(rho, zorder=1, **style.PUBLISHED_LOOK)
     axes.set(xlim=(ranges[0], ranges[-1]), xlabel="range of adhesion ρ (nm)")
     style.label_logarithmic(axes.xaxis, digits=(1, 3))

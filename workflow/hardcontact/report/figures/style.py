@@ -17,15 +17,14 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from matplotlib.transforms import Bbox
 
-# The palette of Okabe & Ito (2008), readable with every common colour blindness. Its grey is kept
-# for the sphere, its black for published and mean values; its yellow is too pale for thin lines.
+# The palette of Okabe & Ito (2008), readable with every common colour blindness, without its black,
+# which published and mean values have, and its yellow, which is too pale for thin lines.
 SUBSTRATE_COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 SPHERE_COLOUR = "#7F7F7F"
 PUBLISHED_COLOUR = "#000000"
 MARKERS = ("o", "s", "^", "D", "v", "P")
 
-MAX_AXIS_MARGIN = 10.0  # factor between the values and the ends of a logarithmic axis
-OPACITY = 0.2  # of bands
+MAX_AXIS_MARGIN = 10.0  # factor between values and an end of a logarithmic axis
 #: Factor between the positions of the error bars of surfaces at the same abscissa. Four surfaces
 #: just fill the space between the closest cutoffs of the study, which differ by a factor of 1.11.
 DODGE = 1.026
@@ -40,9 +39,10 @@ SPHERE_LOOK: Look = {"color": SPHERE_COLOUR, "marker": "X"}
 
 #: Look of artificial or unreliable wavelengths: above grey areas, which show through.
 HATCHED_LOOK: Look = {"fc": "#F5E3C066", "ec": "#CFB57A", "hatch": "//", "lw": 0, "zorder": 0.5}
-MEAN_LOOK: Look = {"color": "black", "marker": "h"}  # of the mean of all surfaces
+SPREAD_LOOK: Look = {"alpha": 0.2, "lw": 0}  # of bands around curves
+MEAN_LOOK: Look = {"color": "black", "marker": "h"}  # of the mean over all surfaces
 #: Of a line at a published range of adhesion or edge.
-PUBLISHED_LENGTH: Look = {"color": "0.25", "lw": 1.0, "ls": (0, (4, 2))}
+PUBLISHED_LOOK: Look = {"color": "0.25", "lw": 1.0, "ls": (0, (4, 2))}
 TILTED_LABELS: Look = {"rotation": 25, "ha": "right", "rotation_mode": "anchor"}  # on an axis
 #: Maps of pixels become images, in the PDF too.
 PIXEL_LOOK: Look = {"shading": "nearest", "rasterized": True}
@@ -97,7 +97,7 @@ def iterate_surfaces(data: Data) -> Iterator[tuple[Look, Data]]:
 
 
 def iterate_dodged(data: xr.Dataset) -> Iterator[tuple[float, Look, xr.Dataset]]:
-    """Yield as `iterate_surfaces` does, with a factor of positions on a logarithmic axis."""
+    """Yield a factor of positions on a logarithmic axis, look and selection for each surface."""
     middle = (data.sizes["surface"] - 1) / 2
     for index, (look, curve) in enumerate(iterate_surfaces(data)):
         yield DODGE ** (index - middle), look, curve
@@ -107,7 +107,7 @@ def freeze_layout(figure: Figure) -> None:
     """Lay the figure out once, and round positions, whose last digits differ from run to run."""
     if engine := figure.get_layout_engine():
         engine.execute(figure)
-    # The placeholder that "none" leaves would make saving draw the figure once more.
+    # None, because the layout engine "none" would make saving draw the figure once more.
     figure.set_layout_engine(None)
     for axes in figure.axes:
         bounds = axes.get_position(original=True).bounds
@@ -134,12 +134,12 @@ def label_logarithmic(*axes: Axis, digits: tuple[int, ...] = (1, 2, 3, 5)) -> No
 def end_near_values(axes: Axes) -> None:
     """End the logarithmic y axis near the values drawn as lines, also if error bars are endless."""
     # The y values of lines in coordinates of the axes are no data.
-    heights = [
+    values_of_lines = [
         np.asarray(line.get_ydata(), float)
         for line in axes.lines
         if line.get_transform().contains_branch_seperately(axes.transData)[1]
     ]
-    values = np.concatenate(heights)
+    values = np.concatenate(values_of_lines)
     values = values[np.isfinite(values) & (values > 0)]
     low, high = axes.get_ylim()
     lowest, highest = values.min() / MAX_AXIS_MARGIN, values.max() * MAX_AXIS_MARGIN
