@@ -26,10 +26,10 @@ CARRIED_SHARE = 0.9
 
 
 def trace_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> xr.Dataset:
-    """Return the gap, adhesive pressure and force of one plastic contact of the array.
+    """Return gap, adhesive pressure (y, x) and force (separation,) of one contact of the array.
 
-    Gaps are negative where rigid bodies would overlap. The ``force`` is negative, because it
-    attracts; adhesive pressure and ``pull_off_force`` are positive.
+    The contact is plastic: gaps are negative where rigid bodies would overlap. The force is
+    negative, because it attracts; adhesive pressure and ``pull_off_force`` are positive.
     """
     pixel_size = bodies.geometry.pixel_size
     rho = contact.rho
@@ -55,20 +55,20 @@ def trace_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> x
 def find_carrying_asperities(
     bodies: Bodies, contact: Contact, contact_indices: NDArray[np.int_], ranges: Sequence[float]
 ) -> xr.Dataset:
-    """Return ASPERITY_UNITS (contact, rho) of plastic contacts, given by row and column."""
+    """Return ASPERITY_UNITS (contact, rho) of plastic contacts, given by row and column (k, 2)."""
     pixel_size = bodies.geometry.pixel_size
     contact_pixel_count = contact.pixel_count(pixel_size)
     offset = bodies.geometry.offsets()
     sphere_heights = bodies.sphere_heights(offset, offset)
-    asperity_values = []
+    sizes = []
     for index in progress(contact_indices, len(contact_indices), "contacts"):
         gap = reference_gap_map(bodies, index, sphere_heights)
         gap = np.maximum(gap - largest_contact_gap(gap, contact_pixel_count), 0)
         for rho in ranges:
-            asperity_values.append(asperity_sizes(np.exp(gap / -rho), CARRIED_SHARE, pixel_size))
-    values = np.reshape(asperity_values, (len(contact_indices), len(ranges), -1))
+            sizes.append(asperity_sizes(np.exp(gap / -rho), CARRIED_SHARE, pixel_size))
+    columns = np.reshape(sizes, (len(contact_indices), len(ranges), -1))
     return xr.Dataset(
-        variables_of_columns(values, ("contact", "rho"), ASPERITY_UNITS),
+        variables_of_columns(columns, ("contact", "rho"), ASPERITY_UNITS),
         {"rho": ("rho", ranges, NM)}
         | {axis: ("contact", contact_indices[:, k]) for k, axis in enumerate(CONTACT_AXES)},
         {"share": CARRIED_SHARE, "sphere_radius": bodies.geometry.radius},
@@ -80,8 +80,8 @@ def asperity_sizes(
 ) -> tuple[float, float, int, float]:
     """Return the quantities of ASPERITY_UNITS for the asperities that carry a share of the force.
 
-    The extent is the diameter of the circle about the centre of force that holds the share. The
-    attraction (n, n) is proportional to the force on each pixel.
+    Shares are of the strongest and the two strongest asperities. The extent is the diameter (nm) of
+    the circle about the centre of force that holds the share. The attraction (n, n) has any unit.
     """
     total = attraction.sum()
     is_carrier = attraction >= least_carrying_attraction(attraction, share)
@@ -96,14 +96,14 @@ def asperity_sizes(
 def least_carrying_attraction(attraction: Floats, share: float) -> float:
     """Return the smallest attraction of the fewest pixels that carry a share of the total."""
     total = attraction.sum()
-    # No pixel below (1 - share) of the mean is needed: all together carry less than 1 - share.
+    # Pixels below (1 - share) of the mean carry less than 1 - share together.
     strong = np.sort(attraction[attraction > (1 - share) * total / attraction.size])[::-1]
     weakest_index = np.searchsorted(np.cumsum(strong), share * total)
     return float(strong[min(weakest_index, len(strong) - 1)])
 
 
 def _diameter_in_pixels(attraction: Floats, share: float) -> int:
-    """Return the diameter of the circle about the centre of force that holds a share."""
+    """Return the diameter of the circle about the centre of force that holds a share of it."""
     distance_y = _distance_from_centre(attraction.sum(axis=1))
     distance_x = _distance_from_centre(attraction.sum(axis=0))
     rings = np.rint(np.sqrt(distance_y[:, None] ** 2 + distance_x**2)).astype(np.intp)
@@ -112,6 +112,6 @@ def _diameter_in_pixels(attraction: Floats, share: float) -> int:
 
 
 def _distance_from_centre(profile: Floats) -> Floats:
-    """Return the distance in pixels of each pixel (n,) from the centre of a profile of force."""
+    """Return the signed distance in pixels of each pixel (n,) from a profile's centre of force."""
     position = np.arange(len(profile))
     return np.asarray(position - profile @ position / profile.sum())

@@ -1,7 +1,7 @@
 """The contact pixels of rigid and plastic (bearing area) contact: the N smallest reference gaps.
 
 A reference gap is the gap if the apex of the sphere is at the height 0 (`geometry`). To find the
-smallest ones without reading all pixels, the map is cut into square cells. The highest point of a
+N smallest gaps without reading all pixels, the map is cut into square cells. The highest point of a
 cell, or of a group of cells, gives a lower bound on its gaps. The N-th smallest gap in a few cells
 is an upper limit of the gaps in contact. Only cells with a bound up to the limit are read.
 """
@@ -32,7 +32,7 @@ LIMIT_CELL_FACTOR = 2
 
 @dataclass(frozen=True, eq=False)
 class Cells:
-    """A periodic map (n, n), in nm, cut into cells."""
+    """A periodic map (n, n) of heights in nm, cut into cells."""
 
     pixels: int  #: The period n.
     #: (cells, CELL_PIXELS, cells, CELL_PIXELS), padded with minus infinity.
@@ -42,21 +42,21 @@ class Cells:
     group_maxima: NDArray[np.floating]
 
     def cells_in_window(
-        self, positions: NDArray[np.int_], window: int
+        self, positions: NDArray[np.int_], window_pixels: int
     ) -> tuple[NDArray[np.int_], NDArray[np.int_], NDArray[np.bool_]]:
-        """Return, along one axis, the cells that meet windows of some pixels about positions (...).
+        """Return, along one axis, the cells that meet the windows about positions (...), in pixels.
 
         Returns three arrays (..., k), padded to the largest number k of cells in a window: the
         offset of a cell from the position, its index, and whether it meets the window.
         """
         count = self.maxima.shape[0]
-        start = positions - window // 2
+        start = positions - window_pixels // 2
         first_cell = self._cell_number(start)
-        last_cell = self._cell_number(start + window - 1)
-        cells = first_cell[..., None] + np.arange((last_cell - first_cell).max() + 1)
-        index = cells % count
-        offset = cells // count * self.pixels + index * CELL_PIXELS - positions[..., None]
-        return offset, index, cells <= last_cell[..., None]
+        last_cell = self._cell_number(start + window_pixels - 1)
+        numbers = first_cell[..., None] + np.arange((last_cell - first_cell).max() + 1)
+        index = numbers % count
+        offset = numbers // count * self.pixels + index * CELL_PIXELS - positions[..., None]
+        return offset, index, numbers <= last_cell[..., None]
 
     def _cell_number(self, pixel: NDArray[np.int_]) -> NDArray[np.int_]:
         """Return the cell number of a pixel along either axis; numbers go on over periods."""
@@ -100,7 +100,7 @@ class WindowCells(NamedTuple):
     bounds: Floats  #: (k,) lower bound in nm on the reference gaps of the cell.
 
     def select(self, index: slice | NDArray[np.int_] | NDArray[np.bool_]) -> "WindowCells":
-        """Return some of the cells."""
+        """Return the cells at an index."""
         contacts, row, column, bounds = self
         return WindowCells(contacts[index], row[index], column[index], bounds[index])
 
@@ -112,8 +112,8 @@ class WindowCells(NamedTuple):
 class _Windows:
     """The cells of the substrate in the windows of contacts, with lower bounds (nm) on their gaps.
 
-    `roughness_maxima` has the highest point of the roughness on the cells of the sphere that one
-    cell of the substrate may meet, by the first of them; it is None for a smooth sphere. Bounds
+    `roughness_maxima` is by cell of the sphere: the highest roughness on the 3 x 3 cells that begin
+    there, which are all that a cell of the substrate may meet; None for a smooth sphere. Bounds
     outside the window are infinite.
     """
 
@@ -132,8 +132,7 @@ class _Windows:
         nearest = np.maximum(np.maximum(offset, -(offset + CELL_PIXELS - 1)), 0)
         sphere_minima = np.where(is_met, geometry.paraboloid(nearest), np.inf)
         padding = ((0, 0), (0, 0), (0, -sphere_minima.shape[-1] % GROUP_CELLS))
-        # Arrays (contact, axis, cell) of offsets, indices, and lowest points of the smooth sphere,
-        # padded to whole groups by cells outside the window.
+        # Arrays (contact, axis, cell), padded to whole groups by cells outside the window.
         self.offset = np.pad(offset, padding, constant_values=geometry.window_pixels)
         self.index = np.pad(index, padding)
         self.sphere_minima = np.pad(sphere_minima, padding, constant_values=np.inf)
@@ -205,10 +204,10 @@ def _find_contact_pixels(windows: _Windows, contact_pixel_count: int) -> list[Co
         _gaps_up_to(windows, cells.select(slice(start, start + CELLS_AT_ONCE)), limits)
         for start in range(0, len(cells.contact_numbers), CELLS_AT_ONCE)
     ]
-    contacts, gaps, offsets = (
+    contact_numbers, gaps, offsets = (
         np.concatenate(arrays) for arrays in zip(*gaps_of_batches, strict=True)
     )
-    ends = np.searchsorted(contacts, np.arange(1, len(limits)))
+    ends = np.searchsorted(contact_numbers, np.arange(1, len(limits)))
     contact_pixels = []
     for low_gaps, low_offsets in zip(np.split(gaps, ends), np.split(offsets, ends), strict=True):
         order = np.lexsort((low_offsets[:, 1], low_offsets[:, 0], low_gaps))[:contact_pixel_count]
@@ -217,9 +216,9 @@ def _find_contact_pixels(windows: _Windows, contact_pixel_count: int) -> list[Co
 
 
 def _limits_of_gaps(windows: _Windows, cells: WindowCells, contact_pixel_count: int) -> Floats:
-    """Return the N-th smallest gap (contact,) in the cells of lowest bounds, or infinity.
+    """Return the N-th smallest gap (contact,) in the cells of lowest bounds, infinity if too few.
 
-    The cells are ordered by contact; each contact has some.
+    The cells are ordered by contact; each contact has at least one.
     """
     ends = np.searchsorted(cells.contact_numbers, np.arange(cells.contact_numbers[-1] + 2))
     cell_count = LIMIT_CELL_FACTOR * -(-contact_pixel_count // CELL_PIXELS**2)
@@ -236,7 +235,7 @@ def _limits_of_gaps(windows: _Windows, cells: WindowCells, contact_pixel_count: 
 
 
 def _lowest_columns(bounds: Floats, count: int) -> NDArray[np.int_]:
-    """Return the indices (row, count) of the lowest bounds (row, column)."""
+    """Return the indices (row, count or all) of the lowest bounds (row, column)."""
     count = min(count, bounds.shape[1])
     return np.argpartition(bounds, count - 1, axis=1)[:, :count]
 
@@ -257,7 +256,7 @@ def all_contact_pixels(bodies: Bodies, contact_pixel_count: int) -> ContactPixel
     substrate = cut_into_cells(bodies.substrate)
     roughness_maxima = None
     if bodies.sphere_roughness is not None:
-        # Along each axis a cell of the substrate meets up to three cells of the sphere: one is cut.
+        # Per axis, a cell of the substrate meets up to three cells, one narrower, of the sphere.
         roughness_maxima = _maxima_of_squares(cut_into_cells(bodies.sphere_roughness).maxima, 3)
     apexes = bodies.geometry.apexes()
     flat_apexes = apexes.reshape(-1, 2)

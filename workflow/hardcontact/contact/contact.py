@@ -22,8 +22,8 @@ class Contact:
     radius: float  #: Radius of the sphere in nm.
     preload: float  #: Load in N.
     hardness: float  #: Hardness of the softer body in Pa.
-    plastic: bool = True  #: Whether contact pixels yield; in rigid contact a single pixel touches.
-    #: Width in nm of the square around each contact that attracts; only height maps need it.
+    plastic: bool = True  #: Whether contact pixels yield; else a single pixel touches.
+    #: Width in nm of the square around each contact that attracts; forces on maps need it.
     window: float = math.nan
     contacts_per_row: int = 1  #: Number of contacts in each row of the square array.
     rho: float = math.nan  #: Range of adhesion in nm.

@@ -2,7 +2,7 @@
 
 Some hundred pixels touch, so that their forces follow from one dense matrix. Attraction acts on all
 pixels. The flat, periodic half space has the effective modulus of both bodies. Lengths are in nm,
-moduli and pressures in Pa, forces in nN; in `pressure_at_load` and `adhesive_pull_off` in N.
+moduli and pressures in Pa, forces in nN; functions after `press` take and return forces in N.
 """
 
 import numpy as np
@@ -34,11 +34,11 @@ FIRST_TOUCHING_PIXELS = 32
 MAX_TOUCHING_PIXELS = 4000
 #: Begins the messages on contacts whose equilibrium is not found.
 EXPECTED_EQUILIBRIUM = "expected an elastic contact in equilibrium"
-#: Steps of an iteration; the active set needs about ten.
+#: Most steps of an iteration; the active set needs about ten.
 MAX_ITERATIONS = 200
 #: Change of the attraction at which it counts as converged, relative to the total attraction.
 RELATIVE_RESIDUAL = 1e-9
-#: Step of the load in the search for pull-off, relative to the rigid pull-off force.
+#: First step and tolerance of the load in the search for pull-off, relative to the rigid force.
 LOAD_STEP = 1e-6
 #: Largest number of pixels per row of the map of the pressure in one contact.
 PRESSURE_MAP_PIXELS = 64
@@ -99,8 +99,8 @@ def contact_forces(influence: Floats, gaps: Floats, load: float) -> tuple[Floats
 def press(half_space: HalfSpace, gap: Floats, load: float) -> tuple[Floats, Floats]:
     """Return contact forces (n, n) in nN under a load (nN), and the gap (n, n) in nm that is left.
 
-    A constant added to `gap` changes nothing. The lowest pixels touch first; then pixels that would
-    overlap join. Raises ValueError if more than MAX_TOUCHING_PIXELS may touch.
+    A constant added to `gap` changes nothing. At first the lowest pixels may touch, then also those
+    that would overlap. Raises ValueError if they are more than MAX_TOUCHING_PIXELS.
     """
     if load == 0:  # The lowest pixel touches without a force.
         return np.zeros_like(gap), gap - gap.min()
@@ -118,8 +118,8 @@ def press(half_space: HalfSpace, gap: Floats, load: float) -> tuple[Floats, Floa
         overlaps = gap_left < -MAX_OVERLAP
         if not overlaps.any():
             return all_forces, gap_left
-        # Few pixels under the whole load sink so far that most others overlap at first: so the
-        # candidates at most double.
+        # Few pixels under the whole load sink so far that most others overlap: so the candidates at
+        # most double.
         other_gaps = np.where(is_candidate, np.inf, gap_left)
         added_count = min(int((overlaps & ~is_candidate).sum()), len(candidates))
         is_candidate |= other_gaps <= largest_contact_gap(other_gaps, added_count)
@@ -147,14 +147,14 @@ def adhesive_pull_off(
     half_space = HalfSpace(len(gap), pixel_size, modulus)
     stretch = half_space.displacement(rigid_attraction).max()
     if stretch > rho / 10:
-        # Beyond this limit `pull` may not converge. In trials at the limit, iterations left at most
-        # 13 % of the error at rms heights of 5 to 50 nm, but up to 95 % at 0.5 nm.
+        # Beyond this limit `pull` may not converge. In trials at the limit, an iteration left at
+        # most 13 % of the error at rms heights of 5 to 50 nm, but up to 95 % at 0.5 nm.
         raise ValueError(
             f"expected a stretch of at most rho/10 = {rho / 10:.2g} nm, found {stretch:.2g} nm"
         )
 
     def pull(load: float, attraction: Floats) -> tuple[float, Floats]:
-        """Return the force (nN) and the attraction in equilibrium, from a first attraction."""
+        """Return attraction less load, and the attraction (n, n), in equilibrium, both in nN."""
         for _ in range(MAX_ITERATIONS):
             _, gap_left = press(half_space, rigid_gap - half_space.displacement(attraction), load)
             former_attraction = attraction
@@ -189,9 +189,9 @@ def _pressure_around_peak(pressure: Floats, pixel_size: float) -> xr.DataArray:
 def solve_elastic_contacts(
     bodies: Bodies, contact: Contact, contact_indices: NDArray[np.int_], modulus: float
 ) -> xr.Dataset:
-    """Return ELASTIC_UNITS (contact) of contacts, given by row and column in the array of a scan.
+    """Return ELASTIC_UNITS (contact,) of contacts, given by row and column (k, 2) in the array.
 
-    ``pressure`` (y, x) in Pa is about the peak of the first contact.
+    The map ``pressure`` (y, x) in Pa is around the peak pressure of the first contact.
     """
     geometry = bodies.geometry
     pixel_size = geometry.pixel_size
@@ -232,5 +232,5 @@ def solve_elastic_contacts(
 
 def stack_elastic_contacts(scans: DatasetsByLabels) -> xr.Dataset:
     """Stack results of `solve_elastic_contacts` along ``scan``; keep the first scan's pressure."""
-    numbers = {key: scan.drop_vars(["pressure", "y", "x"]) for key, scan in scans.items()}
-    return stack(numbers, ["scan"]).assign(pressure=next(iter(scans.values()))["pressure"])
+    without_pressure = {key: scan.drop_vars(["pressure", "y", "x"]) for key, scan in scans.items()}
+    return stack(without_pressure, ["scan"]).assign(pressure=next(iter(scans.values()))["pressure"])

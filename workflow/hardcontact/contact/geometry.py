@@ -22,16 +22,16 @@ from hardcontact.surfaces.height_map import HeightMap, load_height_map
 
 @dataclass(frozen=True, eq=False)
 class ContactGeometry:
-    """The smooth sphere, its analysis window and the array of contacts."""
+    """The smooth sphere, its window and the array of contacts."""
 
     radius: float  #: Of the sphere, in nm.
     pixel_size: float  #: Width of a pixel in nm.
-    window_pixels: int  #: Pixels per row of the analysis window, even.
-    #: (contact,) pixels along either axis; the contacts are all pairs of them.
+    window_pixels: int  #: Pixels per row of the window, even.
+    #: (contacts_per_row,) pixels along either axis; each pair of them is a contact.
     positions: NDArray[np.int_]
 
     def paraboloid(self, offsets: ArrayLike) -> Floats:
-        """Return the height (nm) of the smooth sphere along one axis; heights of both axes add."""
+        """Return the smooth sphere's height (nm) at offsets (pixels) along one axis; axes add."""
         return (np.asarray(offsets) * self.pixel_size) ** 2 / (2 * self.radius)
 
     def window_mask(self, offsets: NDArray[np.int_]) -> NDArray[np.bool_]:
@@ -52,7 +52,7 @@ class Bodies:
     """A substrate and a sphere on common pixels, ready for contact."""
 
     substrate: HeightMap  #: Heights z (n, n), periodic.
-    #: Heights u (k, k) of the sphere, periodic, its apex at the origin; None for a smooth sphere.
+    #: Roughness u of the sphere, periodic, with the apex at the origin; None for a smooth sphere.
     sphere_roughness: HeightMap | None
     geometry: ContactGeometry
 
@@ -66,12 +66,12 @@ class Bodies:
 
 
 def count_window_pixels(window: float, pixel_size: float) -> int:
-    """Return the even number of pixels per row of an analysis window (both in nm)."""
+    """Return the pixels per row of a window (nm), an even number."""
     return 2 * int(round(window / pixel_size / 2))
 
 
 def contact_positions(pixels: int, contacts_per_row: int) -> NDArray[np.int_]:
-    """Return the pixels (contacts_per_row,) of contacts evenly over one period of the substrate."""
+    """Return the pixels (contacts_per_row,) of contacts, evenly over a period of the substrate."""
     # A quarter of a step from the border, no two contacts are mirror images.
     steps = np.arange(contacts_per_row) + 0.25
     return np.floor(steps * pixels / contacts_per_row).astype(int)
@@ -80,7 +80,7 @@ def contact_positions(pixels: int, contacts_per_row: int) -> NDArray[np.int_]:
 def sample_contacts(
     rng: np.random.Generator, contacts_per_row: int, count: int
 ) -> NDArray[np.int_]:
-    """Sample the indices (count, 2) of contacts from the array, each at most once."""
+    """Sample indices (count or all, 2) of contacts of the array, each contact at most once."""
     numbers = rng.permutation(contacts_per_row**2)[:count]
     return np.stack(np.divmod(numbers, contacts_per_row), axis=1)
 
@@ -97,7 +97,7 @@ def join_bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact
         pixel_size = min(substrate.pixel_size, sphere.pixel_size)
         substrate = _refine(substrate, pixel_size)
         sphere = _refine(sphere, pixel_size)
-        # The origin of a mirrored map is a corner of the scan, the apex in the middle of it.
+        # The origin of a mirrored map is a corner of the scan; the apex is in its middle.
         middle = sphere.pixels // 4
         heights = np.roll(sphere.heights, (-middle, -middle), axis=(0, 1))
         sphere_roughness = replace(sphere, heights=heights)
@@ -111,7 +111,7 @@ def join_bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact
 
 
 def spheres_at_positions(sphere: HeightMap, positions_per_row: int) -> list[HeightMap]:
-    """Return the mirrored scan of a sphere, moved to touch at each position of a square grid."""
+    """Return the mirrored scan of a sphere, moved to touch at each point of a grid on the scan."""
     scan_pixels = sphere.pixels // 2
     positions = (2 * np.arange(positions_per_row) + 1) * scan_pixels // (2 * positions_per_row)
     shifts = (scan_pixels // 2 - positions).tolist()
@@ -122,13 +122,13 @@ def spheres_at_positions(sphere: HeightMap, positions_per_row: int) -> list[Heig
 
 
 def read_bodies(substrate_path: str, sphere_path: str | None, contact: Contact) -> Bodies:
-    """Bring two height maps of the study together, as `join_bodies` does."""
+    """Read two height maps of the study and join them by `join_bodies`."""
     sphere = load_height_map(sphere_path) if sphere_path else None
     return join_bodies(load_height_map(substrate_path), sphere, contact)
 
 
 def _convert_precision(surface: HeightMap) -> HeightMap:
-    """Return a map with heights in double precision, unless they are in single precision."""
+    """Return a map with heights in float64, unless they are in float32."""
     precision = np.float32 if surface.heights.dtype == np.float32 else np.float64
     return replace(surface, heights=surface.heights.astype(precision, copy=False))
 
@@ -168,9 +168,9 @@ def reference_gap_map(
 
 
 def largest_contact_gap(gap: Floats, contact_pixel_count: int) -> float:
-    """Return the largest of the smallest gaps (nm), which are those of the contact pixels."""
+    """Return the largest gap (nm) of the contact pixels, which have the smallest gaps."""
     if gap.ndim == 2 and contact_pixel_count <= len(gap):
-        # As many rows as pixels touch have their lowest gap at or below this bound.
+        # As many rows as pixels touch have a pixel at or below this bound.
         row_minima = gap.min(axis=1)
         gap = gap[gap <= np.partition(row_minima, contact_pixel_count - 1)[contact_pixel_count - 1]]
     return float(np.partition(gap.ravel(), contact_pixel_count - 1)[contact_pixel_count - 1])

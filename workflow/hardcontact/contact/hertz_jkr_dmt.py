@@ -1,4 +1,4 @@
-"""A smooth elastic sphere on a flat: Hertz without adhesion, and with it between JKR and DMT.
+"""A smooth elastic sphere on a flat: Hertz without adhesion; from DMT to JKR with adhesion.
 
 Lengths are in nm, forces in N, works of adhesion W in J/m², and moduli in Pa; R is the radius of
 the sphere, E* the effective modulus. Pull-off forces are positive. Arrays broadcast.
@@ -25,12 +25,12 @@ RUBY_ON_DIAMOND_MODULUS = 1 / ((1 - 0.29**2) / 365e9 + (1 - 0.22**2) / 1010e9)
 #: Hardness in Pa below which this modulus is not assumed: a tenth of the ruby's. Softer bodies may
 #: be ten times as compliant, because moduli are ten to some hundred times the hardness.
 SOFT_HARDNESS = 2.5e9
-#: Largest relative change of the force by elasticity that is negligible.
+#: Largest negligible decrease of the force by elasticity, relative to a stiff sphere.
 MAX_SOFTENING = 0.1
 
 
 def hertz_peak_pressure(load: float, radius: float, modulus: float) -> float:
-    """Return the peak pressure p0 = 3F/2πa² of a sphere under a load F: a³ = 3FR/4E*.
+    """Return the peak pressure 3F/2πa² (Pa) of a sphere under a load F, with a³ = 3FR/4E*.
 
     Johnson, Contact Mechanics (Cambridge University Press, 1985), chapter 4.
     """
@@ -60,7 +60,7 @@ def smooth_pull_off(work: Values, radius: Values, area: Values, rho: Values) -> 
 
 
 def limit_forces(forces: Values, bound: Values) -> Values:
-    """Return forces or ends of intervals, at most a bound; infinite ends stay."""
+    """Return forces, or ends of intervals, limited to a bound; infinite ends stay."""
     return np.where(np.isinf(forces), forces, np.minimum(forces, bound))
 
 
@@ -92,12 +92,12 @@ def pull_off_coefficient(maugis: Values) -> Values:
 
 
 def effective_work_of_adhesion(force: Values, radius: Values, coefficient: Values) -> Values:
-    """Return the work F/(coefficient πR) of a smooth sphere, by its `pull_off_coefficient`."""
+    """Return the work F/(coefficient πR) of a smooth sphere from its `pull_off_coefficient`."""
     return force / (coefficient * np.pi * radius * NANOMETRE)
 
 
 class Elasticity(StrEnum):
-    """Whether elasticity reduces the force of a smooth sphere by over MAX_SOFTENING: then SOFT."""
+    """SOFT if elasticity reduces the force of a smooth sphere by over MAX_SOFTENING."""
 
     HARD, SOFT, UNKNOWN = "hard", "soft", "unknown"
 
@@ -108,7 +108,7 @@ def assumed_modulus(hardness: float) -> float:
 
 
 def judge_tabor_parameter(contact: Contact, effective_modulus: float) -> Number:
-    """Return the Tabor parameter with the range in place of z0; the status is an `Elasticity`."""
+    """Return the Tabor parameter with rho as the spacing z0; the status is an `Elasticity`."""
     if math.isnan(effective_modulus):
         return Number("tabor_parameter", effective_modulus, status=Elasticity.UNKNOWN)
     value = float(tabor_parameter(contact.work, contact.radius, effective_modulus, contact.rho))

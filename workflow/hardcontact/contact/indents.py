@@ -28,7 +28,7 @@ INDENT_UNITS = {"depth": "nm", "equal_area_side": "nm", "longer_side": "nm", "in
 def indent_sizes(
     gaps: Floats, offsets: NDArray[np.int_], pixel_size: float
 ) -> tuple[float, float, float, int]:
-    """Return INDENT_UNITS of one contact from its `ContactPixels`."""
+    """Return INDENT_UNITS of one contact from its `ContactPixels`: gaps (k,), offsets (k, 2)."""
     labels, count = label_patches(offsets)
     indent_pixel_counts = np.bincount(labels)[labels]  # by pixel, the deepest pixel first
     # Of equally large indents, this is the deepest one.
@@ -84,7 +84,7 @@ def _sizes_of_bodies(bodies: Bodies, loaded_contacts: Sequence[Contact]) -> xr.D
 
 
 def _median_contact(sizes: xr.Dataset) -> tuple[tuple[int, int], tuple[int, int]]:
-    """Return scans and indices of the contact of median depth at the largest preload."""
+    """Return scans and indices (i, j) of the contact of median depth at the largest preload."""
     dimensions = ["scan", "sphere_scan", *CONTACT_AXES]
     depth = sizes.depth.sel(preload=sizes.preload.max()).transpose(*dimensions).to_numpy()
     flat_index = np.argsort(depth, axis=None)[depth.size // 2]
@@ -95,7 +95,7 @@ def _median_contact(sizes: xr.Dataset) -> tuple[tuple[int, int], tuple[int, int]
 def _add_height_maps(
     sizes: xr.Dataset, bodies: Bodies, loaded_contacts: Sequence[Contact], index: tuple[int, int]
 ) -> xr.Dataset:
-    """Add maps of the indentation in one contact at every preload, and of the sphere there."""
+    """Add maps about one contact: its indentation at every preload, and the sphere's height."""
     counts = np.array(pixel_counts(bodies, loaded_contacts))
     contact_pixels = all_contact_pixels(bodies, int(counts.max()))
     steps = np.arange(-MAP_HALF_WIDTH, MAP_HALF_WIDTH + 1)

@@ -1,7 +1,7 @@
-"""How short a range of adhesion, how narrow a window and how small a scan a force permits.
+"""Limits of the range of adhesion, the window and the scan, beyond which forces are wrong.
 
 A sphere touches summits within the search size (`theory.summits`). The force on a smaller scan is
-too large, because its mirror images show the same summits everywhere.
+too large, because the sphere finds the same few summits everywhere.
 """
 
 import math
@@ -30,13 +30,14 @@ SHORT_ADHESION_RANGE = 1.0
 PENETRATION_OVER_RANGE = 25.0
 #: Upper limits of scan width / search size, with the lowest and highest mean force on a mirrored
 #: scan relative to the 20 µm surface from which it was cut; larger scans had 0.95 to 1.14. Source:
-#: scans of 0.6 to 10 µm on ten Gaussian surfaces (rms height 2 to 50 nm, roll-off 300 to 2000 nm, H
-#: = 0.5 to 0.84), 24 realizations each; R = 20 to 250 µm, rho = 2 and 5.6 nm.
+#: trials like those of tests/contact/test_numerical_limits.py, on scans of 0.6 to 10 µm of ten
+#: Gaussian surfaces: rms height 2 to 50 nm, roll-off 300 to 2000 nm, Hurst exponent 0.5 to 0.84, 24
+#: realizations, R = 20 to 250 µm, rho = 2 and 5.6 nm.
 FINITE_SCAN_RATIOS = (
     (0.125, (8.0, 17.0)), (0.25, (3.0, 9.0)), (0.5, (1.5, 3.6)),
     (1.0, (1.1, 2.0)), (2.0, (1.0, 1.5)),
 )  # fmt: skip
-#: Size relative to the search size from which a scan is large enough, and the smallest tested one.
+#: Scan width / search size from which a scan is large enough, and the smallest tested.
 LARGE_SIZE_RATIO, _ = FINITE_SCAN_RATIOS[-1]
 SMALLEST_SIZE_RATIO = 0.12
 #: Smallest share of the force on a smooth sphere in a window without a caution.
@@ -44,7 +45,7 @@ MIN_WINDOW_SHARE = 0.99
 
 
 class Extent(NamedTuple):
-    """Pixels, width and relief of all scans of a surface, before mirroring doubles the width."""
+    """Pixels, width and relief of one or all scans of a surface, not mirrored."""
 
     pixels: int  #: Per row.
     pixel_size: float  #: Width of a pixel in nm.
@@ -56,7 +57,8 @@ def minimum_range(radius: float, window: float, extent: Extent) -> tuple[float, 
     """Return the shortest range of adhesion (nm, three digits) that a surface permits, and why."""
     relief = extent.relief
     if window >= 2 * extent.size:
-        # The highest pixel is within half a period of every contact; the sphere curves above it.
+        # Along both axes the highest pixel is within `size` of every contact: the sphere is at most
+        # size²/R high there.
         relief = min(relief, extent.size**2 / radius)
     two_pixels = "an interaction radius sqrt(D rho) of two pixels needs it at R = "
     shortest, reason = max(
@@ -67,7 +69,7 @@ def minimum_range(radius: float, window: float, extent: Extent) -> tuple[float, 
 
 
 def periods_in_window(window: float, scan_size: float) -> float:
-    """Return the number of periods of a mirrored scan in a window; a period is two scans wide."""
+    """Return the periods of a mirrored scan, each two scans wide, in a window: at least one."""
     return max(1.0, window / (2 * scan_size)) ** 2
 
 
@@ -80,9 +82,9 @@ def penetration_depth(contact: Contact, relief: float) -> float:
 
 
 def finite_scan_ratio(size: float, search_size: float) -> tuple[float, float]:
-    """Return the smallest and largest mean force on a scan of a size (nm) relative to a large scan.
+    """Return the smallest and largest mean force on a scan of a size (nm) relative to a large one.
 
-    Below SMALLEST_SIZE_RATIO they are the ratios of the smallest tested scans.
+    Below SMALLEST_SIZE_RATIO the ratios are those of the smallest tested scans.
     """
     for limit, ratios in FINITE_SCAN_RATIOS:
         if size < limit * search_size:

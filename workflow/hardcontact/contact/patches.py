@@ -19,13 +19,14 @@ def label_patches(pixels: NDArray[np.int_]) -> tuple[NDArray[np.int_], int]:
 
 
 def count_touched_patches(bodies: Bodies, contact_pixels: ContactPixels) -> int:
-    """Return the number of patches of a mirrored scan that hold the deepest pixel of some contact.
+    """Return the number of patches of a mirrored scan that hold the deepest pixel of a contact.
 
-    If one particle carried every contact, forces would scatter little, however wrong they were.
+    The contact pixels of all contacts form the patches. If one particle carries every contact,
+    forces scatter little, however wrong they are.
     """
     pixels = bodies.substrate.pixels
     points = (bodies.geometry.apexes()[:, :, None] + contact_pixels.offsets) % pixels
     # Fold the mirror images back onto the scan, a quarter of the map.
-    patch, _ = label_patches(np.minimum(points, pixels - 1 - points))
-    # The first pixel of a contact has its lowest gap.
-    return len(np.unique(patch[..., 0]))
+    patches, _ = label_patches(np.minimum(points, pixels - 1 - points))
+    # The first pixel of a contact is the deepest.
+    return len(np.unique(patches[..., 0]))

@@ -31,9 +31,9 @@ from hardcontact.surfaces.height_map import HeightMap
 
 #: A function that returns the forces on a surface, in an array of any shape.
 ForcesOnSurface = Callable[[HeightMap], Floats]
-#: Work of adhesion (J/m²) of all computed forces.
+#: Work of adhesion (J/m²) of all forces of this module.
 WORK_OF_ADHESION = 1.0
-#: Attributes of a computed force.
+#: Attributes of forces at this work of adhesion.
 FORCE_ATTRS = NEWTON | {"long_name": "pull-off force at W = 1 J/m2"}
 
 
@@ -47,8 +47,9 @@ def attraction_sums(
     sums = []
     for count in counts:
         largest_gap = gaps[..., count - 1]
-        gaps_left = gaps[..., count:] - largest_gap[..., None]
-        open_sums = np.array([np.exp(-gaps_left / rho).sum(axis=-1) for rho in ranges])
+        open_gaps = gaps[..., count:] - largest_gap[..., None]
+        open_sums = np.array([np.exp(-open_gaps / rho).sum(axis=-1) for rho in ranges])
+        # Fewer contact pixels keep the bodies further apart than `contact_pixels`.
         decay = np.exp((largest_gap - gaps[..., -1]) / rho_column)
         sums.append(count + open_sums + sums_outside * decay)
     return np.array(sums)
@@ -121,7 +122,7 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
 def pull_off_on_spheres(
     all_bodies: Mapping[int, Bodies], contact: Contact, ranges: Sequence[float]
 ) -> xr.Dataset:
-    """Return `pull_off_dataset` (sphere_scan, ...) of bodies by the number of the sphere's scan."""
+    """Return `pull_off_dataset` (sphere_scan, ...) of bodies by the number of the sphere scan."""
     forces = {}
     for sphere_scan, bodies in all_bodies.items():
         forces_on_sphere = pull_off_dataset(bodies, contact, ranges)
@@ -172,7 +173,7 @@ def wider_window_change(
 def pull_off_with_checks(
     all_bodies: Mapping[int, Bodies], contact: Contact, ranges: Sequence[float]
 ) -> xr.Dataset:
-    """Return `pull_off_on_spheres`, with the effects of window and pixels and of a smooth sphere.
+    """Return `pull_off_on_spheres` with the effects of window and pixels, and smooth_sphere_force.
 
     ``wider_window_change`` is at the range of the contact, ``finer_pixel_ratio`` at the shortest
     range on the first sphere scan.
@@ -182,12 +183,11 @@ def pull_off_with_checks(
     window_change = wider_window_change(
         all_bodies.values(), contact, plastic_forces.sel(rho=contact.rho)
     )
-    bodies = next(iter(all_bodies.values()))
+    first_bodies = next(iter(all_bodies.values()))
     shortest_range_contact = replace(contact, rho=min(ranges))
-    pixel_ratio = finer_pixel_ratio(
-        bodies, shortest_range_contact, plastic_forces.isel(sphere_scan=0).sel(rho=min(ranges))
-    )
-    smooth_forces = pull_off_dataset(replace(bodies, sphere_roughness=None), contact, ranges)
+    shortest_range_forces = plastic_forces.isel(sphere_scan=0).sel(rho=min(ranges))
+    pixel_ratio = finer_pixel_ratio(first_bodies, shortest_range_contact, shortest_range_forces)
+    smooth_forces = pull_off_dataset(replace(first_bodies, sphere_roughness=None), contact, ranges)
     return forces.assign(
         wider_window_change=((), window_change, DIMENSIONLESS),
         finer_pixel_ratio=((), pixel_ratio, DIMENSIONLESS | {"rho": min(ranges)}),
@@ -196,7 +196,7 @@ def pull_off_with_checks(
 
 
 def stack_pull_off_forces(scans: DatasetsByLabels) -> xr.Dataset:
-    """Stack `pull_off_with_checks` by (surface, scan), with the largest contact pixel count."""
+    """Stack `pull_off_with_checks` of (surface, scan), with the largest contact pixel count."""
     dimensions = ["surface", "scan"]
     forces = stack(scans, dimensions)
     pixel_count = forces["contact_pixel_count"].max([*dimensions, "sphere_scan"], keep_attrs=True)

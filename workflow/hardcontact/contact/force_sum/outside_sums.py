@@ -1,6 +1,6 @@
-"""Sums of exp(-gap/rho) over the window of every contact of an array, smooth or rough sphere.
+"""Sums of exp(-gap/rho) over the pixels of the window outside contact, for an array of contacts.
 
-The reference gap is g = y - u - z (`geometry`). Contact pixels are excluded in one of two ways:
+`geometry` defines the reference gap g = y - u - z. Contact pixels are excluded in one of two ways:
 
 - `sums_by_subtraction` sums over all pixels and subtracts those in contact. It is fast, but loses
   digits at short ranges, because a pixel that penetrates by d has the term exp(d/rho).
@@ -32,9 +32,7 @@ THREAD_POOLS = ThreadpoolController()
 MAX_PENETRATION = {np.float32: 2.0, np.float64: 6.0}
 
 
-def outside_sums(
-    bodies: Bodies, contact_pixels: ContactPixels, ranges: Sequence[float] | Floats
-) -> Floats:
+def outside_sums(bodies: Bodies, contact_pixels: ContactPixels, ranges: Sequence[float]) -> Floats:
     """Return the sum (rho, contact_y, contact_x) of exp(-(g + m)/rho) outside plastic contact.
 
     m is the height of the apex at plastic closest approach.
@@ -56,7 +54,7 @@ def _can_subtract(
     bodies: Bodies, contact_pixels: ContactPixels, ranges: Floats
 ) -> NDArray[np.bool_]:
     """Return the mask of ranges (rho,) at which `sums_by_subtraction` has enough digits."""
-    if bodies.sphere_roughness is not None:  # Maps are small, so that exact sums cost little.
+    if bodies.sphere_roughness is not None:  # It is for smooth spheres only.
         return np.zeros(len(ranges), bool)
     gaps = contact_pixels.reference_gaps
     penetration = (gaps[..., -1] - gaps[..., 0]).max()
@@ -80,9 +78,9 @@ def _sums_by_omission(
     highest_roughness = 0.0 if roughness is None else float(roughness.heights.max())
     highest = highest_substrate + highest_roughness
     sums = np.empty((len(ranges), *[len(bodies.geometry.positions)] * 2))
-    sphere_terms = smooth_sphere_terms if roughness is None else rough_sphere_terms
-    terms = sphere_terms(bodies, touched_pixels, ranges)
-    for k, (rho, (totals, sphere_factor_at)) in enumerate(zip(ranges, terms, strict=True)):
+    terms_by_range = smooth_sphere_terms if roughness is None else rough_sphere_terms
+    all_terms = terms_by_range(bodies, touched_pixels, ranges)
+    for k, (rho, (totals, sphere_factor_at)) in enumerate(zip(ranges, all_terms, strict=True)):
         substrate_factor = exponential(touched_heights, highest_substrate, rho)
         for index in np.ndindex(totals.shape):
             touched_terms = substrate_factor * sphere_factor_at(index)

@@ -17,7 +17,7 @@ from hardcontact.contact.geometry import Bodies, ContactGeometry
 KERNEL_ROWS = 64
 #: Rows of the kernel that `_correlation_by_products` multiplies at once: few enough for the cache.
 MULTIPLIED_ROWS = 4
-#: Smallest sum, relative to the norms of its factors, that Fourier transforms give to 1e-9.
+#: Smallest sum, relative to the product of both norms, that Fourier transforms give to 1e-9.
 SMALLEST_TRANSFORMED = 1e-6
 
 
@@ -48,15 +48,15 @@ def rough_sphere_terms(
 def _kernel(
     pixels: int, sphere_factor: NDArray[np.floating], geometry: ContactGeometry, rho: float
 ) -> Floats:
-    """Return exp((u - max(u) - y)/rho) on (n, n) offsets from the apex, summed over images."""
+    """Return exp((u - max(u) - y)/rho) at offsets (n, n) from the apex, summed over images."""
     period = len(sphere_factor)
     axis_factors = _axis_factors_by_shift(pixels, period, geometry, rho)
     kernel = np.zeros((pixels, pixels))
-    columns = np.arange(pixels)
+    offsets = np.arange(pixels)
     for start in range(0, pixels, KERNEL_ROWS):
-        rows = columns[start : start + KERNEL_ROWS]
+        rows = offsets[start : start + KERNEL_ROWS]
         for (shift_y, factor_y), (shift_x, factor_x) in product(axis_factors.items(), repeat=2):
-            shifted = sphere_factor[np.ix_((rows + shift_y) % period, (columns + shift_x) % period)]
+            shifted = sphere_factor[np.ix_((rows + shift_y) % period, (offsets + shift_x) % period)]
             kernel[rows] += factor_y[rows, None] * factor_x * shifted
     return kernel
 
@@ -66,7 +66,7 @@ def _axis_factors_by_shift(
 ) -> dict[int, Floats]:
     """Return exp(-y/rho) (n,) along one axis by shift, in pixels, of the sphere's roughness.
 
-    Periodic images of the substrate that meet the same part of the roughness are summed.
+    Images of the substrate that meet the roughness at the same shift are summed.
     """
     factors: dict[int, Floats] = {}
     reach = -(-geometry.window_pixels // (2 * pixels))

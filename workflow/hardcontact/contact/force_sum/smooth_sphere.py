@@ -27,9 +27,9 @@ def sums_by_subtraction(
     factors: list[NDArray[np.floating]] = [
         axis_factors(len(heights), bodies.geometry, rho).astype(precision) for rho in ranges
     ]
-    quarter, quarter_factors = _fold_mirror_images(heights, factors)
-    blocks = _row_blocks(quarter, precision, highest, ranges)
-    all_sums = _contact_sums(blocks, quarter_factors)
+    distinct_heights, folded_factors = _fold_mirror_images(heights, factors)
+    blocks = _row_blocks(distinct_heights, precision, highest, ranges)
+    all_sums = _contact_sums(blocks, folded_factors)
     gaps = contact_pixels.reference_gaps
     largest_gap = gaps[..., -1]
     sums = np.empty_like(all_sums)
@@ -74,11 +74,11 @@ def _contact_sums(
 
     `factors` has G by range (`axis_factors`).
     """
-    columns = [np.ascontiguousarray(axis_factor.T) for axis_factor in factors]
+    transposed_factors = [np.ascontiguousarray(axis_factor.T) for axis_factor in factors]
     sums = np.zeros((len(factors), *[len(factors[0])] * 2))
     for rows, substrate_factors in blocks:
         for k, substrate_factor in enumerate(substrate_factors):
-            sums[k] += factors[k][:, rows] @ (substrate_factor @ columns[k])
+            sums[k] += factors[k][:, rows] @ (substrate_factor @ transposed_factors[k])
     return sums
 
 
@@ -89,7 +89,7 @@ def _row_blocks(
     ranges: Sequence[float],
     touched_pixels: TouchedPixels | None = None,
 ) -> Iterator[tuple[slice, list[NDArray[np.floating]]]]:
-    """Yield rows and their exp((z - highest)/rho) (rows, n) by range; zero at touched pixels."""
+    """Yield rows and, by range, their exp((z - highest)/rho) (row, n), zero at touched pixels."""
     for start in range(0, len(heights), BLOCK_ROWS):
         rows = slice(start, start + BLOCK_ROWS)
         block = heights[rows].astype(precision, copy=False)
@@ -103,7 +103,7 @@ def _row_blocks(
 def _exponentials(
     heights: NDArray[np.floating], highest: float, ranges: Sequence[float]
 ) -> list[NDArray[np.floating]]:
-    """Return `exponential` at every range; at rho/2 it is the square of its value at rho."""
+    """Return `exponential` at every range; at rho/2 it is faster as a square."""
     by_range: dict[float, NDArray[np.floating]] = {}
     for rho in sorted(ranges, reverse=True):
         root = by_range.get(2 * rho)
@@ -114,7 +114,7 @@ def _exponentials(
 def _fold_mirror_images(
     heights: NDArray[np.floating], factors: list[NDArray[np.floating]]
 ) -> tuple[NDArray[np.floating], list[NDArray[np.floating]]]:
-    """Return a quarter of mirrored heights (n, n), and factors summed over its images."""
+    """Return a quarter of mirrored heights and factors summed over images, or both unchanged."""
     if len(heights) % 2 or not _is_mirrored(heights):
         return heights, factors
     scan_pixels = len(heights) // 2
