@@ -38,8 +38,8 @@ def gap_of_bodies(bodies, index):
 
 def direct_total(gap, contact_pixel_count, rho):
     """Return the sum of exp(-gap/rho) over a gap (nm) closed until a number of pixels touch."""
-    closest_approach = np.partition(gap, contact_pixel_count - 1, None)[contact_pixel_count - 1]
-    return np.exp(-np.maximum(gap - closest_approach, 0) / rho).sum()
+    largest_contact_gap = np.partition(gap, contact_pixel_count - 1, None)[contact_pixel_count - 1]
+    return np.exp(-np.maximum(gap - largest_contact_gap, 0) / rho).sum()
 
 
 def direct_force(gap, contact_pixel_count, rho, pixel_size, work=1.0):

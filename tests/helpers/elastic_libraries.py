@@ -1,4 +1,4 @@
-"""Elastic contact by ContactMechanics and Adhesion, the oracles of the dense problem."""
+"""Elastic contact by the libraries ContactMechanics and Adhesion, to compare with."""
 
 import numpy as np
 from Adhesion.Interactions import Exponential
@@ -10,7 +10,7 @@ from SurfaceTopography import Topography
 
 
 def half_space_and_body(heights, pixel_size, modulus):
-    """Return a half space of a modulus (Pa) and a rigid body (n, n) in nm; units nm and GPa."""
+    """Return a half space of a modulus (Pa) and a rigid body (n, n) in nm; they use nm and GPa."""
     size = (len(heights) * pixel_size,) * 2
     half_space = PeriodicFFTElasticHalfSpace(heights.shape, modulus * 1e-9, size)
     return half_space, Topography(heights, size, periodic=True)
@@ -35,7 +35,7 @@ def library_pull_off(gap, pixel_size, modulus, work, rho):
     elongation = -displacement.min()
     options = {"ftol": 0, "gtol": 1e-5 * attraction.max(), "maxiter": 5000}
 
-    def force(offset):
+    def normal_force(offset):  # nN, negative if attraction exceeds repulsion
         nonlocal displacement
         start = np.maximum(displacement, heights + offset)
         system.minimize_proxy(offset=offset, initial_displacements=start, options=options)
@@ -43,7 +43,7 @@ def library_pull_off(gap, pixel_size, modulus, work, rho):
         return system.interaction_force.sum() - system.force[system.gap <= 0].sum()
 
     optimum = minimize_scalar(
-        force,
+        normal_force,
         bounds=(-1.5 * elongation, 3 * elongation),
         method="bounded",
         options={"xatol": 1e-3 * elongation},
