@@ -43,7 +43,7 @@ def test_two_peaks_share_the_force():
 def test_the_strongest_pixels_carry_the_share_only_with_the_weakest_carrier():
     rng = np.random.default_rng(5)
     for attraction in (rng.random((90, 70)), np.exp(-40 * rng.random((50, 60))), np.ones((9, 9))):
-        # Forces that the strongest 1, 2, ... pixels carry together.
+        # carried[k] is the force that the k + 1 strongest pixels carry together.
         carried = np.cumsum(np.sort(attraction, axis=None)[::-1])
         for share in (0.1, 0.5, 0.9):
             weakest = least_carrying_attraction(attraction, share)
@@ -76,7 +76,7 @@ def test_a_traced_contact_has_the_force_of_its_bodies():
     assert gap.shape == pressure.shape == (320, 320)
     # Preload over hardness is 400 nm², 6.25 pixels of 8 nm.
     assert np.count_nonzero(gap <= 0) == 7
-    # Where pixels touch the pressure is the largest there is, W/rho; it adds up to the force.
+    # Touching pixels have the largest pressure, W/rho. Pressures add up to the force.
     assert pressure.max() == pytest.approx(46.3e-3 / 5.6e-9)
     assert pressure.sum(dtype=float) * 64e-18 == pytest.approx(force, rel=1e-5)
     assert traced["force"].values[0] == -traced.attrs["pull_off_force"]

@@ -15,8 +15,8 @@ from hardcontact.contact.elastic import (
 from hardcontact.contact.geometry import sample_contacts
 from hardcontact.contact.hertz_jkr_dmt import hertz_peak_pressure
 
-LOAD = 10e-6
-WORK, RHO = 46.3e-3, 5.6
+LOAD = 10e-6  # N
+WORK, RHO = CONTACT.work, CONTACT.rho
 
 
 def sphere_gap(pixels, pixel_size, radius=RADIUS):
@@ -26,7 +26,7 @@ def sphere_gap(pixels, pixel_size, radius=RADIUS):
 
 
 def rough_gap(rms):
-    """The gap (64, 64) in nm over noise of an rms height."""
+    """The gap (64, 64) in nm between a sphere and noise of an rms height (nm)."""
     return sphere_gap(64, 12.0) - periodic_noise(64, rms, 4)
 
 
@@ -34,18 +34,19 @@ def rough_gap(rms):
 def test_a_smooth_sphere_follows_hertz(load):
     pixels, pixel_size = 384, 12.0 * (load / LOAD) ** (1 / 3)
     peak = hertz_peak_pressure(load, RADIUS, MODULUS)
-    radius = np.sqrt(1.5 * load / (np.pi * peak)) * 1e9  # nm
+    contact_radius = np.sqrt(1.5 * load / (np.pi * peak)) * 1e9  # nm
     gap = sphere_gap(pixels, pixel_size)
     pressure = pressure_at_load(gap, pixel_size, MODULUS, load)
     area = np.count_nonzero(pressure) * pixel_size**2
-    assert np.sqrt(area / np.pi) == pytest.approx(radius, rel=0.03)  # half a pixel
+    assert np.sqrt(area / np.pi) == pytest.approx(contact_radius, rel=0.03)  # half a pixel
     assert pressure.max() == pytest.approx(peak, rel=1e-4)
-    # Boussinesq: the pressure pushes the flat under the apex down by the approach.
+    # Boussinesq: the pressure pushes the flat under the apex down by the approach. The distance at
+    # the apex is the harmonic mean over its pixel.
     y, x = np.indices(pressure.shape) - pixels // 2
     distance = np.hypot(y, x) * pixel_size
     distance[pixels // 2, pixels // 2] = pixel_size / (4 * np.log(1 + np.sqrt(2)))
-    pushed = (pressure / distance).sum() * pixel_size**2 / (np.pi * MODULUS)
-    assert pushed == pytest.approx(radius**2 / RADIUS, rel=0.01)
+    displacement = (pressure / distance).sum() * pixel_size**2 / (np.pi * MODULUS)
+    assert displacement == pytest.approx(contact_radius**2 / RADIUS, rel=0.01)
 
 
 @pytest.mark.parametrize("rms", [0.5, 5.0, 50.0])
@@ -63,7 +64,7 @@ def test_pull_off_is_that_of_a_minimizer_outside_a_wall(rms):
     _, force = adhesive_pull_off(gap, 12.0, MODULUS / 10, WORK, RHO)
     expected = library_pull_off(gap, 12.0, MODULUS / 10, WORK, RHO)
     assert force == pytest.approx(expected, rel=1e-6)
-    # The search of the library misses the best approach, never exceeds it.
+    # The search over approaches in the library may end beside the largest force.
     assert force >= expected * (1 - 1e-8)
 
 
@@ -74,7 +75,7 @@ def test_a_load_that_flattens_everything_is_refused():
 
 def test_stiff_bodies_have_the_rigid_pull_off_force():
     gap = rough_gap(1.0)
-    # To first order the difference is as the compliance.
+    # To first order the difference is proportional to the compliance.
     differences = []
     for stiffer in (1, 10):
         rigid, pull_off = adhesive_pull_off(gap, 12.0, stiffer * MODULUS, WORK, RHO)

@@ -1,4 +1,4 @@
-"""The gap between two bodies, the positions of contacts, and common pixels of two scans."""
+"""Positions of contacts, common pixels of two scans, heights of any type, and squares of gaps."""
 
 import numpy as np
 import pytest
@@ -18,7 +18,7 @@ def heights(pixels):
 def test_contacts_on_a_mirrored_surface_never_repeat_a_position():
     # On a mirrored surface the positions p and n - 1 - p are alike.
     positions = geometry.contact_positions(1024, 20)
-    folded = np.minimum(positions, 1023 - positions)
+    folded = np.minimum(positions, 1023 - positions)  # in steps of 25 or 26 pixels
     assert len(np.unique(folded)) == 20
     assert np.diff(np.sort(folded)).min() >= 20
 
@@ -46,7 +46,7 @@ def test_more_sampled_contacts_include_the_fewer_and_never_repeat():
 
 @pytest.mark.parametrize("dtype", [np.float32, ">f4", ">f8", np.float16, np.int64])
 def test_heights_of_any_dtype_have_their_force(dtype):
-    """Programs and classic netCDF files bring heights in other types and orders of bytes."""
+    """Programs and classic netCDF files bring heights in other types and byte orders."""
     whole_numbers = np.round(periodic_noise(96, 20.0, 5))  # Every type holds them.
     contact = Contact(radius=250e3, preload=1e-6, hardness=25e9, window=4800.0, contacts_per_row=3)
 
@@ -58,3 +58,14 @@ def test_heights_of_any_dtype_have_their_force(dtype):
     np.testing.assert_allclose(
         forces(whole_numbers.astype(dtype)), forces(whole_numbers), rtol=1e-6
     )
+
+
+@pytest.mark.parametrize("pixels", [3, 4, 9])
+def test_the_square_around_the_lowest_point_ends_at_the_edges(pixels):
+    for y, x in np.ndindex(9, 9):
+        gap = np.arange(1.0, 82.0).reshape(9, 9)
+        gap[y, x] = 0.0
+        row = min(max(y - pixels // 2, 0), 9 - pixels)
+        column = min(max(x - pixels // 2, 0), 9 - pixels)
+        expected = gap[row : row + pixels, column : column + pixels]
+        np.testing.assert_array_equal(geometry.square_around_lowest(gap, pixels), expected)

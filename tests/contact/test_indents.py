@@ -23,16 +23,16 @@ def test_indents_of_scans_equal_those_of_each_pair():
     depth = indents.depth.sel(scan=4, sphere_scan=2, preload=40e-6).values
     expected_depth = contact_pixels.reference_gaps[..., -1] - contact_pixels.reference_gaps[..., 0]
     np.testing.assert_allclose(depth, expected_depth, rtol=0, atol=1e-12)
-    # The indents drawn are of a contact whose depth is the median of all.
-    drawn_depth = indents.indentation.sel(preload=40e-6)
+    # The maps are of the contact whose depth is the median of all 36.
+    indentation = indents.indentation.sel(preload=40e-6)
     median_depth = np.sort(indents.depth.sel(preload=40e-6), axis=None)[18]
-    assert drawn_depth.max() == pytest.approx(median_depth, rel=1e-12)
-    assert drawn_depth[MAP_HALF_WIDTH, MAP_HALF_WIDTH] == drawn_depth.max()
+    assert indentation.max() == pytest.approx(median_depth, rel=1e-12)
+    assert indentation[MAP_HALF_WIDTH, MAP_HALF_WIDTH] == indentation.max()
     assert indents.sphere_height.shape == (2 * MAP_HALF_WIDTH + 1,) * 2
 
 
 def test_indents_drawn_by_hand_have_known_sizes():
-    # A row of three pixels with one more at a corner, and a lone pixel: 0 is the deepest.
+    # A row of three pixels with one more at a corner, and a lone pixel. The first is the deepest.
     offsets = np.array([[10, 10], [10, 11], [40, 40], [10, 12], [11, 13]])
     gaps = np.array([-3.0, -2.5, -2.0, -1.5, -1.0])
     depth, equal_area_side, longer_side, count = indent_sizes(gaps, offsets, 5.0)

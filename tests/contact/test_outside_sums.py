@@ -12,8 +12,8 @@ from hardcontact.contact.force_sum.outside_sums import MAX_PENETRATION, outside_
 from hardcontact.contact.numerical_limits import DEPTH_OVER_RANGE
 from hardcontact.contact.pull_off import attraction_sums
 
-#: Error of sums over heights in single precision, on a smooth sphere and unless the range is short.
-SINGLE = 1e-6
+#: Relative error of sums by subtraction over heights in single precision.
+SINGLE_PRECISION_ERROR = 1e-6
 
 
 def bodies_of(case, rough):
@@ -25,7 +25,7 @@ def bodies_of(case, rough):
 @pytest.mark.parametrize("case", MAP_CASES)
 @pytest.mark.parametrize("contact_pixel_count", [1, 17])
 @pytest.mark.parametrize("rough", [False, True])
-def test_the_force_at_every_range_is_the_direct_sum(case, contact_pixel_count, rough):
+def test_the_sum_at_every_range_is_the_direct_sum(case, contact_pixel_count, rough):
     bodies, ranges = bodies_of(case, rough), [0.5, 2.0, 10.0]
     contact_pixels = all_contact_pixels(bodies, contact_pixel_count)
     counts = [contact_pixel_count, 1]
@@ -39,7 +39,7 @@ def test_the_force_at_every_range_is_the_direct_sum(case, contact_pixel_count, r
 
 @pytest.mark.parametrize("case", MAP_CASES)
 @pytest.mark.parametrize("rough", [False, True])
-def test_the_force_keeps_its_digits_if_little_attracts_outside_contact(case, rough):
+def test_the_sum_keeps_its_digits_if_little_attracts_outside_contact(case, rough):
     # At a small range the other pixels attract many orders less than the contact pixels.
     bodies, rho = bodies_of(case, rough), 0.1
     contact_pixels = all_contact_pixels(bodies, 17)
@@ -50,24 +50,26 @@ def test_the_force_keeps_its_digits_if_little_attracts_outside_contact(case, rou
         assert sums[index] == pytest.approx(direct_sum, rel=1e-9)
 
 
-@pytest.mark.parametrize(("raised", "penetration"), [(0.99, 0.5), (0.5, 0.99), (0.99, 0.99)])
-@pytest.mark.parametrize(("number", "error"), [(np.float32, SINGLE), (float, 1e-9)])
+@pytest.mark.parametrize(
+    ("depth_share", "penetration_share"), [(0.99, 0.5), (0.5, 0.99), (0.99, 0.99)]
+)
+@pytest.mark.parametrize(("number", "error"), [(np.float32, SINGLE_PRECISION_ERROR), (float, 1e-9)])
 def test_subtracted_contact_pixels_leave_enough_digits_up_to_both_limits(
-    number, error, raised, penetration
+    number, error, depth_share, penetration_share
 ):
     # A spike outside the window of the contact, and one in it that sinks in.
     rho, pixel_size = 2.0, 50.0
     precision = np.dtype(number).type
     max_depth, max_penetration = DEPTH_OVER_RANGE[precision], MAX_PENETRATION[precision]
     heights = periodic_noise(96, 0.1, 5).astype(number)
-    heights[60, 60] = heights.max() + number(raised * max_depth * rho)
-    heights[12, 12] = heights[8:16, 8:16].max() + number(penetration * max_penetration * rho)
+    heights[60, 60] = heights.max() + number(depth_share * max_depth * rho)
+    heights[12, 12] = heights[8:16, 8:16].max() + number(penetration_share * max_penetration * rho)
     bodies = make_bodies(heights, None, pixel_size, 40, 1)
     (position,) = bodies.geometry.positions
     heights[:] = np.roll(heights, position - 12, axis=(0, 1))
     contact_pixels = all_contact_pixels(bodies, 4)
     gaps = contact_pixels.reference_gaps[0, 0]
-    assert gaps[-1] - gaps[0] > 0.9 * penetration * max_penetration * rho
-    assert gaps[-1] + heights.max() > 0.9 * raised * max_depth * rho
+    assert gaps[-1] - gaps[0] > 0.9 * penetration_share * max_penetration * rho
+    assert gaps[-1] + heights.max() > 0.9 * depth_share * max_depth * rho
     total = attraction_sums(bodies, contact_pixels, [4], [rho]).item()
     assert total == pytest.approx(direct_total(gap_of_bodies(bodies, (0, 0)), 4, rho), rel=error)

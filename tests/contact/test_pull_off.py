@@ -39,7 +39,8 @@ def test_the_pull_off_force_of_two_bodies_is_the_direct_sum_at_every_contact_and
 
 def test_the_change_by_a_wider_window_matches_the_direct_sum():
     all_bodies = [rough_bodies(seed) for seed in (1, 3)]
-    count, rho, changes = CONTACT.pixel_count(8.0), 5.6, []
+    count, rho = CONTACT.pixel_count(8.0), 5.6
+    changes = []
     for bodies in all_bodies:
         wide_geometry = replace(bodies.geometry, window_pixels=320 + 2 * 128)
         wide_bodies = replace(bodies, geometry=wide_geometry)
@@ -53,10 +54,10 @@ def test_the_change_by_a_wider_window_matches_the_direct_sum():
     assert change == pytest.approx(max(changes), rel=1e-6)
 
 
-@pytest.mark.parametrize(("pixels", "area_ratio"), [(1, 1 / 4), (4, 1), (40, 1)])
-def test_finer_pixels_change_only_the_contact_area_at_a_small_range(pixels, area_ratio):
-    """One pixel of any size touches at least; a larger area is the same on all pixels."""
-    contact = replace(CONTACT, preload=pixels / 4 * 25e9 * 64e-18, rho=0.02)
+@pytest.mark.parametrize(("fine_pixels", "area_ratio"), [(1, 1 / 4), (4, 1), (40, 1)])
+def test_finer_pixels_change_only_the_contact_area_at_a_small_range(fine_pixels, area_ratio):
+    """At least one pixel of any size touches: one of 8 nm if one of 4 nm would suffice."""
+    contact = replace(CONTACT, preload=fine_pixels / 4 * 25e9 * 64e-18, rho=0.02)
     forces = pull_off_dataset(rough_bodies(), contact, [contact.rho]).pull_off_force
     ratio = finer_pixel_ratio(rough_bodies(), contact, forces.sel(contact_model="plastic"))
     assert ratio == pytest.approx(area_ratio, rel=0.05)
