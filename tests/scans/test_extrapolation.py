@@ -2,8 +2,7 @@
 
 import numpy as np
 import pytest
-from known_spectra import BINS
-from measurements import measurement, uncd_density
+from measurements import gentle_density, measurement
 
 from hardcontact.base.arrays import generator
 from hardcontact.scans.extrapolation import (
@@ -22,22 +21,11 @@ from hardcontact.surfaces.spectral_models import self_affine
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_rms
 from hardcontact.surfaces.synthesis import random_surface
 
-SIZE, PIXELS = 5000.0, 128
-KNOWN_TIP = [1e-3]
-
-
-def scan_of(rng, rolloff, level=1e4):
-    """A scan cut out of a random surface ten times as large, and its density."""
-
-    def density(q):
-        return self_affine(q, plateau=level * (rolloff / 100) ** 3.6, rolloff=rolloff, hurst=0.8)
-
-    surface = random_surface(rng, 10 * PIXELS, SIZE / PIXELS, density)
-    return measurement(surface.heights[:PIXELS, :PIXELS].astype(float), surface.pixel_size), density
+BINS = 2 * np.pi * 10 ** (-3.45 + np.arange(19) / 10)  # in rad/nm: wavelengths 2.8 µm to 45 nm
 
 
 @pytest.mark.parametrize("kind", ["map", "line scan"])
-@pytest.mark.parametrize("order", [0.2, 0.5, 1.0, 2.0])
+@pytest.mark.parametrize("order", [0.2, 0.5, 1.0, 2.0])  # waves in the width of the scan
 def test_levelling_leaves_what_a_plane_does_not_fit(kind, order):
     rng, position = generator(1), (np.arange(48) + 0.5) / 48 - 0.5
     axes = [position, position] if kind == "map" else [position]
@@ -54,39 +42,42 @@ def test_levelling_leaves_what_a_plane_does_not_fit(kind, order):
 
 
 def test_noise_does_not_lengthen_the_rolloff():
-    rolloffs = []
+    def density(q):
+        return self_affine(q, plateau=2.5e8, rolloff=1667.0, hurst=0.8)
+
+    log_rolloffs = []
     for number in range(4):
-        scan, _ = scan_of(generator(9, number), SIZE / 3)
+        # The scan is a tenth as wide as the surface, and three times as wide as the roll-off.
+        surface = random_surface(generator(9, number), 1280, 39.0, density)
+        scan = measurement(surface.heights[:128, :128].astype(float), 39.0)
         noise = generator(10, number).normal(0, 0.5 * scan.heights.std(), scan.heights.shape)
-        noisy = measurement(scan.heights + noise, scan.pixel_size)
-        spectra = [joined_spectrum([image], KNOWN_TIP) for image in (scan, noisy)]
-        rolloffs.append([np.log(spectrum.attrs["rolloff"]) for spectrum in spectra])
-    clean, noisy = np.mean(rolloffs, axis=0)
-    assert noisy - clean < 0.02
+        noisy = measurement(scan.heights + noise, 39.0)
+        spectra = [joined_spectrum([image], [None]) for image in (scan, noisy)]
+        log_rolloffs.append([np.log(spectrum.attrs["rolloff"]) for spectrum in spectra])
+    clean_log, noisy_log = np.mean(log_rolloffs, axis=0)
+    assert noisy_log - clean_log < 0.02
 
 
 def extrapolate(density):
-    values = density(BINS) if callable(density) else density
-    fit = fit_hurst_exponent(BINS, values, np.full(BINS.shape, 1e-4))
-    return extrapolate_short_waves(BINS, values, fit)
+    """Return C_iso on WAVEVECTORS, extrapolated from C_iso at BINS, and its tail."""
+    fit = fit_hurst_exponent(BINS, density, np.full(BINS.shape, 1e-4))
+    return extrapolate_short_waves(BINS, density, fit)
 
 
 def test_a_power_law_is_extrapolated_to_atoms_and_constant_at_long_waves():
-    def gentle(q):
-        return 1e-3 * uncd_density(q)
-
-    spectrum, tail = extrapolate(gentle)
+    spectrum, tail = extrapolate(gentle_density(BINS))
     wavelength = 2 * np.pi / WAVEVECTORS
     is_measured = (wavelength > 45) & (wavelength < 2500)
     np.testing.assert_allclose(
-        spectrum[is_measured] / gentle(WAVEVECTORS[is_measured]), 1, atol=0.02
+        spectrum[is_measured] / gentle_density(WAVEVECTORS[is_measured]), 1, atol=0.02
     )
     is_tail = (wavelength > ATOMIC_WAVELENGTH * 1.1) & (wavelength < 45)
     np.testing.assert_allclose(
-        np.log(spectrum[is_tail] / gentle(WAVEVECTORS[is_tail])), 0, atol=0.05
+        np.log(spectrum[is_tail] / gentle_density(WAVEVECTORS[is_tail])), 0, atol=0.05
     )
     assert (spectrum[wavelength < ATOMIC_WAVELENGTH * 0.9] == 0).all()
     assert np.ptp(spectrum[wavelength > 2900]) == 0
+    # The density falls as q^-3.68 = q^(-2 - 2H).
     assert tail.tail_hurst == pytest.approx(0.84, abs=0.005) and tail.tail_ended_by == "atoms"
     assert tail.tail_fit_shortest == pytest.approx(2 * np.pi / BINS[-1])
     assert tail.tail_fit_longest == pytest.approx(10 * tail.tail_fit_shortest)
@@ -103,33 +94,31 @@ def test_an_exponent_at_a_bound_or_from_few_bins_is_unknown(hurst, bins, is_know
 
 
 @pytest.mark.parametrize(("slope", "hurst"), [(-1.2, 0.0), (-2.6, 0.3), (-4.7, 1.0)])
-def test_the_exponent_keeps_within_those_of_self_affine_surfaces(slope, hurst):
-    spectrum, tail = extrapolate(lambda q: 1e-6 * q**slope)
+def test_the_exponent_is_clipped_to_those_of_self_affine_surfaces(slope, hurst):
+    spectrum, tail = extrapolate(1e-6 * BINS**slope)
     assert tail.tail_hurst == pytest.approx(hurst, abs=0.005)
-    is_added = (WAVEVECTORS > BINS[-1] * 1.1) & (spectrum > 0)
-    fitted_slope = np.polyfit(
-        np.log(WAVEVECTORS[is_added][:-1]), np.log(spectrum[is_added][:-1]), 1
-    )[0]
-    assert fitted_slope == pytest.approx(-2 - 2 * hurst, abs=0.005)
+    is_tail = (WAVEVECTORS > BINS[-1] * 1.1) & (spectrum > 0)
+    tail_slope = np.polyfit(np.log(WAVEVECTORS[is_tail][:-1]), np.log(spectrum[is_tail][:-1]), 1)[0]
+    assert tail_slope == pytest.approx(-2 - 2 * hurst, abs=0.005)
 
 
 @pytest.mark.parametrize("slope", [-1.0, -2.0, -3.0, -4.0])
 @pytest.mark.parametrize("level", [1e2, 1e4])
-def test_no_tail_takes_slope_and_curvature_beyond_those_of_known_surfaces(slope, level):
-    spectrum, tail = extrapolate(lambda q: level * (q / 0.02) ** slope)
+def test_no_tail_takes_slope_and_curvature_beyond_table_1(slope, level):
+    spectrum, tail = extrapolate(level * (BINS / 0.02) ** slope)
     _, gradient, half_laplacian = all_scales_rms(Spectrum(WAVEVECTORS, spectrum))
-    assert gradient < MAX_GRADIENT * 1.06 and half_laplacian < MAX_HALF_LAPLACIAN * 1.06
+    assert gradient < MAX_GRADIENT and half_laplacian < MAX_HALF_LAPLACIAN
     assert (spectrum[2 * np.pi / WAVEVECTORS < ATOMIC_WAVELENGTH * 0.9] == 0).all()
-    ends = {
+    shares_of_bound = {
         "gradient": gradient / MAX_GRADIENT,
         "half_laplacian": half_laplacian / MAX_HALF_LAPLACIAN,
     }
-    nearest_bound = max(ends, key=ends.get)
+    nearest_bound = max(shares_of_bound, key=shares_of_bound.get)
     assert tail.tail_ended_by in ("atoms", nearest_bound)
-    assert tail.tail_ended_by == "atoms" or ends[nearest_bound] > 0.85
+    assert tail.tail_ended_by == "atoms" or shares_of_bound[nearest_bound] > 0.95
 
 
-def test_a_steeper_surface_than_known_has_no_tail():
+def test_a_steeper_surface_than_in_table_1_has_no_tail():
     steep = 1e8 * (BINS / 0.02) ** -2.0
     spectrum, tail = extrapolate(steep)
     assert (spectrum[WAVEVECTORS > BINS[-1] * 1.001] == 0).all()
