@@ -1,4 +1,4 @@
-"""A smooth wafer under a rough sphere has the force and the reliable wavelengths of the sphere."""
+"""Both bodies give the force of a rough sphere, and the wavelengths of the rougher body."""
 
 import numpy as np
 import pytest
@@ -13,14 +13,14 @@ from hardcontact.scans.both_bodies import combine_maps, combine_spectra
 from hardcontact.scans.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.height_map import mirror_scan
 
-PIXELS, PIXEL_SIZE = 128, 10.0
+PIXELS, PIXEL_SIZE = 128, 10.0  # nm
 CONTACT = Contact(
     radius=5e3, preload=2e-6, hardness=5e9, window=600.0, contacts_per_row=4, rho=2.0, work=1.0
 )
 
 
-def scan(purpose, rms_height):
-    surface = random_map(generator(5, purpose), PIXELS, PIXEL_SIZE)
+def scan(body, rms_height):
+    surface = random_map(generator(5, body), PIXELS, PIXEL_SIZE)
     surface.heights[...] *= rms_height / surface.heights.std()
     return surface
 
@@ -36,7 +36,7 @@ def sphere():
 
 
 def force_of_rough_sphere(wafer, sphere, contact_pixel, position):
-    """Eq. 3 summed over every pixel, the sphere at a position of its scan; maps are mirrored."""
+    """Sum Eq. 3 over every pixel of mirrored maps, the sphere at a position of its map."""
     window = round(CONTACT.window / PIXEL_SIZE), PIXEL_SIZE
     gap = gap_to_sphere(mirror(wafer.heights), contact_pixel, *window, CONTACT.radius)
     gap += gap_to_sphere(mirror(sphere.heights), position, *window, np.inf)
@@ -46,8 +46,8 @@ def force_of_rough_sphere(wafer, sphere, contact_pixel, position):
 
 def test_a_smooth_sphere_on_the_sum_of_both_touches_like_the_rough_one(wafer, sphere):
     combined = combine_maps(generator(1), mirror_scan(wafer), mirror_scan(sphere))
-    start = generator(1).integers(2 * PIXELS, size=2)
-    bodies = join_bodies(combined, None, CONTACT)
+    start = generator(1).integers(2 * PIXELS, size=2)  # as `combine_maps` draws it
+    bodies = join_bodies(combined, None, CONTACT)  # None for a smooth sphere
     forces = forces_at_loadings(bodies, [CONTACT], [CONTACT.rho])[0, 0]
     # The window, 30 pixels to each side of this contact, has no mirror image of the sum.
     contact_pixel = bodies.geometry.positions[[1, 1]]

@@ -1,4 +1,4 @@
-"""Spectra joined of several measurements of one surface."""
+"""Spectra joined from several scans of one surface, and samples of them."""
 
 import numpy as np
 import pytest
@@ -24,6 +24,7 @@ def test_two_maps_and_a_line_give_the_spectrum_of_the_surface():
         errors.append(np.log(joined_data["joined_psd"].values / gentle_density(wavevector)))
     errors = np.array(errors)
     wavelength = 2 * np.pi / wavevector
+    # Four pixels of the small map, a third of the line.
     is_measured = (wavelength > 16) & (wavelength < 40_000 / 3)
     is_finite = np.isfinite(errors[:, is_measured])
     assert is_finite.mean() > 0.95
@@ -42,9 +43,8 @@ def test_bins_of_few_waves_are_smoothed_and_a_gap_is_bridged_between_them():
     short = (2 * np.pi / WAVEVECTORS < 110) & (2 * np.pi / WAVEVECTORS > 13)
     for number in range(40):
         scan = random_map(generator(21, number), 128, 40.0, gentle_density)
-        line = random_line(
-            generator(22, number), 76, 3.0, gentle_density
-        )  # some 0.5 to 2 waves in a bin
+        # Some 0.5 to 2 waves of the line are in a bin.
+        line = random_line(generator(22, number), 76, 3.0, gentle_density)
         joined_data = joined_spectrum([scan, line], [None, None])
         density = joined_data["spectrum"].values[short]
         errors.append(np.log(density / gentle_density(WAVEVECTORS[short])))
@@ -89,13 +89,14 @@ def test_sampled_spectra_scatter_by_calibration_and_exponent():
     rngs = (generator(26, draw) for draw in range(100))
     spectra, factors = zip(*sample_spectra(rngs, scans, [1e-3, 1e-3]), strict=True)
     # At 40 nm only the small map is reliable, with hundreds of waves.
-    power = np.log([spectrum(2 * np.pi / 40) for spectrum in spectra]) - 2 * np.log(factors)[:, 0]
-    assert power.std() < 0.1 and 2 * np.log(factors).std() == pytest.approx(
-        CALIBRATION_SCATTER, rel=0.2
-    )
-    tails = np.log([spectrum(2 * np.pi / np.array([4.0, 8.0])) for spectrum in spectra])
-    exponents = (tails[:, 1] - tails[:, 0]) / np.log(2) / 2 - 1
-    assert HURST_SCATTER < exponents.std() < 2 * HURST_SCATTER  # and the error of the fit
+    log_power = np.log([spectrum(2 * np.pi / 40) for spectrum in spectra])
+    log_factors = 2 * np.log(factors)  # on C_iso, the square of those on heights
+    assert (log_power - log_factors[:, 0]).std() < 0.1
+    assert log_factors.std() == pytest.approx(CALIBRATION_SCATTER, rel=0.2)
+    log_tails = np.log([spectrum(2 * np.pi / np.array([4.0, 8.0])) for spectrum in spectra])
+    # Over an octave, ln C changes by (2 + 2H) ln 2.
+    exponents = (log_tails[:, 1] - log_tails[:, 0]) / np.log(2) / 2 - 1
+    assert HURST_SCATTER < exponents.std() < 2 * HURST_SCATTER  # with the error of the fit
 
 
 def test_a_given_tip_radius_overrides_that_of_the_file():
@@ -104,8 +105,8 @@ def test_a_given_tip_radius_overrides_that_of_the_file():
     assert radii == [20.0, 8.0]
 
 
-def pattern(kind, seed):
-    """A height map (nm) of a grating, a step or waves without a roll-off, with some roughness."""
+def patterned_map(kind, seed):
+    """Return a map of a grating or a step with roughness, or of the roughness alone."""
     rng, pixels, pixel = generator(61, seed), 192, 50.0
     position = np.arange(pixels) * pixel
     period, edge = pixels * pixel / rng.uniform(4, 12), pixels * pixel * rng.uniform(0.2, 0.8)
@@ -113,24 +114,24 @@ def pattern(kind, seed):
         "grating": 20 * np.cos(2 * np.pi * position / period),
         "square grating": 10 * np.sign(np.cos(2 * np.pi * position / period)),
         "step": 25.0 * (position > edge),
-        "waves": 0.0 * position,
+        "roughness": 0.0 * position,
     }[kind]
-    rough = random_map(
+    roughness = random_map(
         rng, pixels, pixel, lambda q: smooth_rolloff(q, plateau=1e10, rolloff=1e5, hurst=0.8)
     )
-    return measurement(heights + rough.heights, pixel)
+    return measurement(heights + roughness.heights, pixel)
 
 
-@pytest.mark.parametrize("kind", ["grating", "square grating", "step", "waves"])
+@pytest.mark.parametrize("kind", ["grating", "square grating", "step", "roughness"])
 def test_a_joined_spectrum_keeps_the_variance_of_its_bins(kind):
     for seed in range(5):
-        scan = pattern(kind, seed)
+        scan = patterned_map(kind, seed)
         joined_data = joined_spectrum([scan], [1e-3])
         is_reliable = joined_data["reliable"].values[0] == 1
         power = BIN_CENTRES[is_reliable] ** 2 * joined_data["psd"].values[0, is_reliable]
         joined_power = BIN_CENTRES[is_reliable] ** 2 * joined_data["joined_psd"].values[is_reliable]
         assert joined_power.sum() == pytest.approx(power.sum(), rel=1e-12)
-        if "grating" in kind:  # The line keeps its wavelength.
+        if "grating" in kind:  # The peak of a grating stays in its bin.
             peak = power.argmax()
             assert joined_power[peak] == pytest.approx(power[peak], rel=0.05)
 
@@ -144,7 +145,7 @@ def test_sampled_curves_scatter_with_the_stated_variance():
     point_variance = np.where(is_measured, variance_of_log(modes), np.nan)
     wavevector, mean, variance = smooth_curve(density, point_variance)
     curves = [smooth_curve(density, point_variance, generator(23, draw)) for draw in range(400)]
-    sampled_logs = np.log([sampled_mean for _, sampled_mean, _ in curves])
+    sampled_logs = np.log([curve.density for curve in curves])
     np.testing.assert_allclose(
         sampled_logs.std(axis=0), np.sqrt(variance - CALIBRATION_SCATTER**2), rtol=0.15
     )

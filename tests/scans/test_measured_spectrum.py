@@ -1,4 +1,4 @@
-"""C_iso of single measurements, of maps and from C_1D: closed forms, scatter, slopes."""
+"""C_iso of single maps and line scans: closed forms, scatter, slopes."""
 
 import numpy as np
 import pytest
@@ -26,31 +26,25 @@ def test_a_tilt_does_not_change_the_spectrum():
 
 def test_line_scans_have_the_spectrum_of_their_surface():
     lines = [random_line(generator(3, k), 1000, 10.0) for k in range(40)]
-    mean = np.mean([isotropic_psd(line) for line in lines], axis=0)
+    ratio = np.mean([isotropic_psd(line) for line in lines], axis=0) / uncd_density(BIN_CENTRES)
     wavelength = 2 * np.pi / BIN_CENTRES
-    is_reliable = np.isfinite(mean) & (wavelength > 40) & (wavelength < lines[0].size / 3)
-    np.testing.assert_allclose(
-        np.log(mean[is_reliable] / uncd_density(BIN_CENTRES[is_reliable])), 0, atol=0.5
-    )
-    assert np.median(mean[is_reliable] / uncd_density(BIN_CENTRES[is_reliable])) == pytest.approx(
-        1, abs=0.07
-    )
+    is_reliable = np.isfinite(ratio) & (wavelength > 40) & (wavelength < lines[0].size / 3)
+    np.testing.assert_allclose(np.log(ratio[is_reliable]), 0, atol=0.5)
+    assert np.median(ratio[is_reliable]) == pytest.approx(1, abs=0.07)
 
 
 @pytest.mark.parametrize("kind", ["map", "line scan"])
 def test_spectra_scatter_by_their_number_of_independent_modes(kind):
-    draws = [
-        random_map(generator(4, k), 64, 20.0)
-        if kind == "map"
-        else random_line(generator(5, k), 256, 20.0)
-        for k in range(100)
-    ]
-    logs = np.log([isotropic_psd(draw) for draw in draws])
+    if kind == "map":
+        scans = [random_map(generator(4, k), 64, 20.0) for k in range(100)]
+    else:
+        scans = [random_line(generator(5, k), 256, 20.0) for k in range(100)]
+    logs = np.log([isotropic_psd(scan) for scan in scans])
     wavelength = 2 * np.pi / BIN_CENTRES
     is_reliable = (
-        np.isfinite(logs).all(axis=0) & (wavelength > 60) & (wavelength < draws[0].size / 3)
+        np.isfinite(logs).all(axis=0) & (wavelength > 60) & (wavelength < scans[0].size / 3)
     )
-    modes = independent_modes(kind, draws[0].size)
+    modes = independent_modes(kind, scans[0].size)
     predicted_scatter = np.sqrt(variance_of_log(modes[is_reliable]))
     assert np.median(logs.std(axis=0)[is_reliable] / predicted_scatter) == pytest.approx(
         1, abs=0.25
@@ -70,19 +64,19 @@ def test_power_laws_have_known_local_slopes_and_errors():
 
 def test_axes_differ_where_the_lines_of_a_scan_are_smoothed():
     scan = random_map(generator(7), 256, PIXEL)
-    alike = axis_ratio(scan)
+    isotropic_ratio = axis_ratio(scan)
     smoothed = measurement(gaussian_filter1d(scan.heights, 3.0, axis=1), PIXEL)
     wavelength = 2 * np.pi / BIN_CENTRES
     short = (wavelength > 4 * PIXEL) & (wavelength < 8 * PIXEL)
-    assert (alike[short] < 1.2).all() and (axis_ratio(smoothed)[short] > 4).all()
+    assert (isotropic_ratio[short] < 1.2).all() and (axis_ratio(smoothed)[short] > 4).all()
     np.testing.assert_allclose(
         axis_ratio(measurement(smoothed.heights.T, PIXEL)), axis_ratio(smoothed)
     )
     assert (axis_ratio(random_line(generator(8), 100, PIXEL)) == 1).all()
 
 
-WAVEVECTORS = BIN_CENTRES[(BIN_CENTRES > 1e-4) & (BIN_CENTRES < 2)]
-MANY_WAVES = np.full(WAVEVECTORS.shape, 1e3)
+BINS = BIN_CENTRES[(BIN_CENTRES > 1e-4) & (BIN_CENTRES < 2)]  # rad/nm
+MANY_MODES = np.full(BINS.shape, 1e3)
 
 
 def two_slopes(q):
@@ -97,10 +91,10 @@ def rolloff_with_finer_roughness(q):
 
 @pytest.mark.parametrize("hurst", [0.1, 0.5, 0.8, 1.0, 1.4])
 def test_converted_power_laws_match_the_closed_form(hurst):
-    profile = 3.0 * WAVEVECTORS ** (-1 - 2 * hurst)
-    density = profile / profile_over_isotropic(WAVEVECTORS, hurst)
+    profile = 3.0 * BINS ** (-1 - 2 * hurst)
+    density = profile / profile_over_isotropic(BINS, hurst)
     np.testing.assert_allclose(
-        isotropic_from_profile(WAVEVECTORS, profile, MANY_WAVES), density, rtol=1e-3
+        isotropic_from_profile(BINS, profile, MANY_MODES), density, rtol=1e-3
     )
 
 
@@ -109,5 +103,5 @@ def test_converted_power_laws_match_the_closed_form(hurst):
     [(two_slopes, 0.02), (uncd_density, 0.07), (rolloff_with_finer_roughness, 0.11)],
 )
 def test_bent_spectra_are_recovered_from_their_profiles(density, tolerance):
-    converted = isotropic_from_profile(WAVEVECTORS, profile_of(density, WAVEVECTORS), MANY_WAVES)
-    np.testing.assert_allclose(converted / density(WAVEVECTORS), 1, atol=tolerance)
+    converted = isotropic_from_profile(BINS, profile_of(density, BINS), MANY_MODES)
+    np.testing.assert_allclose(converted / density(BINS), 1, atol=tolerance)

@@ -14,11 +14,10 @@ from hardcontact.surfaces.spectral_models import smooth_rolloff
 from hardcontact.surfaces.spectrum import BIN_CENTRES
 from hardcontact.surfaces.synthesis import random_surface
 
-PIXEL = 10.0
+PIXEL = 10.0  # nm
 
 
-def band_of(scan, tip_radius):
-    """Return the reliable band of a scan."""
+def band_of(scan, tip_radius=None):
     return reliable_band(scan, tip_radius, isotropic_psd(scan))
 
 
@@ -31,7 +30,7 @@ def steep(q):
 @pytest.mark.parametrize("density", [uncd_density, steep])
 def test_a_faithful_scan_is_limited_by_its_pixels_and_its_size(make, density):
     for k in range(3):
-        band = band_of(make(generator(1, k), 256, PIXEL, density), None)
+        band = band_of(make(generator(1, k), 256, PIXEL, density))
         assert band.shortest == 4 * PIXEL and band.limited_by == "pixels"
         assert band.longest == pytest.approx(256 * PIXEL / 3)
 
@@ -55,8 +54,7 @@ def test_a_tip_limits_the_band_where_its_image_leaves_the_surface():
     cutoff = to_surface_topography(level_plane(imaged)).scanning_probe_reliability_cutoff(radius)
     assert band.shortest == pytest.approx(cutoff, rel=1e-3)
     assert band.limited_by == "tip"
-    density = isotropic_psd(imaged)
-    ratio = density / isotropic_psd(true)
+    ratio = isotropic_psd(imaged) / isotropic_psd(true)
     wavelength = 2 * np.pi / BIN_CENTRES
     is_in_band = (wavelength > band.shortest) & (wavelength < band.longest)
     is_short = (wavelength > 4 * pixel) & (wavelength < band.shortest / 3)
@@ -68,27 +66,26 @@ def test_a_tip_limits_the_band_where_its_image_leaves_the_surface():
 def test_a_floor_of_white_noise_is_cut_above_where_it_passes_the_surface(make, pixels):
     scan = make(generator(4), pixels, PIXEL)
     noisy = measurement(scan.heights + generator(5).normal(0, 10.0, scan.heights.shape), PIXEL)
-    band = band_of(noisy, None)
-    density = isotropic_psd(noisy)
+    band = band_of(noisy)
     wavelength = 2 * np.pi / BIN_CENTRES
-    excess = density / isotropic_psd(scan)
+    excess = isotropic_psd(noisy) / isotropic_psd(scan)
     assert band.limited_by == "noise"
     is_in_band = (wavelength > band.shortest) & (wavelength < band.longest)
     assert (excess[is_in_band & np.isfinite(excess)] < 2).all()
     # At most half a decade of wavelengths with less noise than surface is lost.
-    passed = wavelength[np.argmax(excess > 2)]
-    assert passed < band.shortest < 3.2 * passed
+    longest_noisy = wavelength[np.argmax(excess > 2)]
+    assert longest_noisy < band.shortest < 3.2 * longest_noisy
 
 
 def test_a_plateau_before_the_rolloff_is_no_floor():
     early = random_map(
         generator(6), 256, PIXEL, lambda q: smooth_rolloff(q, plateau=1e6, rolloff=150.0, hurst=0.9)
     )
-    assert band_of(early, None).shortest == 4 * PIXEL
+    assert band_of(early).shortest == 4 * PIXEL
 
 
 def test_white_noise_alone_is_nowhere_reliable():
-    band = band_of(measurement(generator(7).normal(size=(128, 128)), PIXEL), None)
+    band = band_of(measurement(generator(7).normal(size=(128, 128)), PIXEL))
     assert band.shortest > band.longest and band.limited_by == "noise"
 
 
@@ -101,10 +98,9 @@ def test_smoothing_limits_the_band(is_along_lines):
         smoothed = gaussian_filter(surface, 3.0, mode="wrap")
     true = measurement(surface[:256, :256], PIXEL)
     scan = measurement(smoothed[:256, :256], PIXEL)
-    band = band_of(scan, None)
+    band = band_of(scan)
     assert band.limited_by == "smoothing"
-    density = isotropic_psd(scan)
-    transfer = density / isotropic_psd(true)
+    transfer = isotropic_psd(scan) / isotropic_psd(true)
     wavelength = 2 * np.pi / BIN_CENTRES
     is_in_band = (wavelength > band.shortest) & (wavelength < band.longest)
     assert is_in_band.sum() >= 5 and (transfer[is_in_band] > 0.4).all()
@@ -115,5 +111,5 @@ def test_noise_does_not_hide_smoothing():
     surface = random_surface(generator(9), 512, PIXEL, uncd_density).heights.astype(float)
     smoothed = gaussian_filter(surface, 4.0, mode="wrap")[:256, :256]
     noisy = measurement(smoothed + generator(10).normal(0, 0.3, smoothed.shape), PIXEL)
-    clean = band_of(measurement(smoothed, PIXEL), None)
-    assert band_of(noisy, None).shortest == pytest.approx(clean.shortest, rel=0.3)
+    clean = band_of(measurement(smoothed, PIXEL))
+    assert band_of(noisy).shortest == pytest.approx(clean.shortest, rel=0.3)

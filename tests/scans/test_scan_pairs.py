@@ -19,11 +19,11 @@ from hardcontact.scans.scan_pairs import (
 from hardcontact.surfaces.levelling import level_lines, level_plane
 from hardcontact.surfaces.spectrum import BIN_CENTRES
 
-PIXELS, PIXEL = 128, 10.0
+PIXELS, PIXEL = 128, 10.0  # nm
 
 
-def large_map(seed, hurst=0.8, rolloff=1e9):
-    """Heights of three times PIXELS per row, by default without a roll-off."""
+def large_heights(seed, hurst=0.8, rolloff=1e9):
+    """Heights in nm of three times PIXELS per row, by default without a roll-off."""
     return self_affine_heights(generator(seed), 3 * PIXELS, PIXEL, 20.0, hurst, rolloff)
 
 
@@ -37,7 +37,7 @@ def cut(heights, y=0, x=0, side=PIXELS):
 
 @pytest.mark.parametrize("hurst", [0.5, 0.9])
 def test_copies_of_an_area_are_recognised(hurst):
-    surface = large_map(1, hurst)
+    surface = large_heights(1, hurst)
     trace = coarse(cut(surface))
     noise = generator(2).standard_normal((PIXELS, PIXELS))
     y = np.arange(PIXELS)[:, None]
@@ -46,14 +46,14 @@ def test_copies_of_an_area_are_recognised(hurst):
         coarse(cut(surface, 20, 15) + 0.3 * y),  # drift and tilt
         coarse(cut(surface), levelling=level_lines),
         coarse(cut(surface)[::2, ::2], 2 * PIXEL),
-        coarse(cut(surface, 5, 5, 7 * PIXELS // 8)),
+        coarse(cut(surface, 5, 5, 7 * PIXELS // 8)),  # a smaller scan
     ):
         assert have_same_area(trace, copy) and have_same_area(copy, trace)
 
 
 @pytest.mark.parametrize(("hurst", "rolloff"), [(0.5, 1e9), (1.0, 1e9), (0.8, PIXELS * PIXEL / 8)])
 def test_other_areas_are_not_the_same(hurst, rolloff):
-    surface = large_map(3, hurst, rolloff)
+    surface = large_heights(3, hurst, rolloff)
     areas = [coarse(cut(surface, y, x)) for y in (0, 128, 256) for x in (0, 128, 256)]
     assert earlier_scans_of_areas(areas) == [None] * 9
     assert earlier_scans_of_areas([*areas[:2], areas[0]]) == [None, None, 0]
@@ -67,26 +67,24 @@ def test_flat_maps_are_no_copies():
 
 def test_areas_of_one_grating_or_lay_are_not_the_same():
     grating = 20 * np.sin(np.arange(3 * PIXELS) * 2 * np.pi / 12)
-    lay = large_map(5)[0]
+    lay = large_heights(5)[0]
     for lines in (grating, lay, lay[:, None]):
-        surface = large_map(4) / 20 + lines
+        surface = large_heights(4) / 20 + lines
         assert not have_same_area(coarse(cut(surface)), coarse(cut(surface, 250, 220)))
 
 
 # Contradictions
-
-NAMES = ["large.spm", "small.spm", "line.txt"]
 
 
 def test_a_half_decade_in_which_two_scans_differ_is_named():
     density = np.tile(uncd_density(BIN_CENTRES), (2, 1))
     wavelength = 2 * np.pi / BIN_CENTRES
     reliable = (wavelength > 50) & (wavelength < 5000) & np.ones((2, 1), bool)  # 20 bins
-    density[1, (wavelength > 50) & (wavelength < 150)] *= 0.01  # a blunt tip
+    density[1, (wavelength > 50) & (wavelength < 150)] /= 100  # a blunt tip
     (contradiction,) = find_contradictions(density, reliable, ["map", "map"], [50e3, 50e3])
     assert (contradiction.higher, contradiction.lower) == (0, 1)
     assert contradiction.factor == pytest.approx(100, rel=1e-12)
-    assert contradiction.wavelengths[1] < 160
+    assert contradiction.wavelengths[1] < 150
 
 
 def simulate_contradictions(seed, height_factor=1.0):
@@ -109,15 +107,16 @@ def test_scans_of_one_surface_agree_within_their_scatter_and_calibration():
 
 
 @pytest.mark.parametrize(("height_factor", "higher"), [(10.0, 1), (0.1, 0)])
-def test_a_scan_of_other_heights_is_named_with_the_square_of_their_factor(height_factor, higher):
+def test_a_scan_of_wrong_heights_is_named_with_the_square_of_their_factor(height_factor, higher):
     contradictions = simulate_contradictions(1, height_factor)
-    pairs = [{item.higher, item.lower} for item in contradictions]
+    pairs = [{pair.higher, pair.lower} for pair in contradictions]
     assert sorted(map(sorted, pairs)) == [[0, 1], [1, 2]]
     large_and_small = contradictions[pairs.index({0, 1})]
     assert large_and_small.higher == higher
     assert large_and_small.factor == pytest.approx(100, rel=0.4)
     shortest, longest = large_and_small.wavelengths
     assert 320 <= shortest < longest <= 2048 / 3  # four pixels, a third of the size
-    (other,) = (item for item in contradictions if item is not large_and_small)
-    line = describe_contradictions([large_and_small, other], NAMES)
+    (other,) = (pair for pair in contradictions if pair is not large_and_small)
+    names = ["large.spm", "small.spm", "line.txt"]
+    line = describe_contradictions([large_and_small, other], names)
     assert_says(line, "large.spm", "small.spm", "contradict", "times", "more pairs that do: 1")

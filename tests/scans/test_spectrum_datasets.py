@@ -1,4 +1,4 @@
-"""Datasets of spectra: of descriptions, and of all surfaces."""
+"""Datasets of described spectra, and of the spectra of several surfaces."""
 
 import numpy as np
 import pandas as pd
@@ -30,15 +30,15 @@ def described_spectrum():
     return convert_described_spectrum(substitute, "x.csv")
 
 
-def test_only_published_or_measured_segments_are_known():
+def test_only_published_or_measured_segments_are_reliable():
     spectrum = described_spectrum()
     assert spectrum.notes.values.tolist() == ["a", "b"]
-    np.testing.assert_allclose(spectrum.longest_reliable, [1e6, 100.0])
+    np.testing.assert_allclose(spectrum.longest_reliable, [1e6, 100.0])  # WAVEVECTORS end at 1 mm
     np.testing.assert_allclose(spectrum.shortest_reliable, [1e3, 10.0])
     wavelength = 2 * np.pi / spectrum.bin_wavevector.values
-    is_known = (wavelength > 1e3) | ((wavelength > 10) & (wavelength <= 100))
+    is_reliable = (wavelength > 1e3) | ((wavelength > 10) & (wavelength <= 100))
     density = self_affine(spectrum.bin_wavevector.values, plateau=1e9, rolloff=2000.0, hurst=0.8)
-    density[~is_known] = np.nan
+    density[~is_reliable] = np.nan
     np.testing.assert_allclose(spectrum.joined_psd, density, rtol=0.03)
     assert np.isnan(spectrum.attrs["tail_hurst"])
     assert set(spectrum.limited_by.values) == {"source"}
@@ -54,7 +54,7 @@ def test_described_and_measured_spectra_have_the_same_variables():
         assert described[name].attrs == values.attrs, name
 
 
-def test_surfaces_are_stacked_with_their_limits_and_empty_entries(tmp_path):
+def test_stacked_surfaces_keep_their_ends_and_have_empty_measurements(tmp_path):
     coat = joined_spectrum(two_sizes_and_a_line(19), [None] * 3)
     rough = joined_spectrum([random_map(generator(20), 128, 10.0)], [None])
     labels = {"rough": "Rough", "coat": "My coat"}
@@ -67,5 +67,5 @@ def test_surfaces_are_stacked_with_their_limits_and_empty_entries(tmp_path):
         surface_spectrum = table.sel(surface=name)
         np.testing.assert_array_equal(surface_spectrum["spectrum"], single["spectrum"])
         np.testing.assert_array_equal(surface_spectrum["joined_psd"], single["joined_psd"])
-        for limit in ("shortest_measured", "longest_measured", *Tail._fields):
-            assert surface_spectrum[limit].item() == single.attrs[limit]
+        for end in ("shortest_measured", "longest_measured", *Tail._fields):
+            assert surface_spectrum[end].item() == single.attrs[end]
