@@ -250,7 +250,7 @@ def nearest_featured_scans(
     surface: FeaturedSurface, scan_numbers: Sequence[int]
 ) -> tuple[Features, list[HeightMap]]:
     """Return the features nearest to Table 1 among PERMITTED_SAMPLES, and scans with them."""
-    choices = []
+    choices = []  # The first scan number seeds the features of a batch of scans.
     for sample_number in range(PERMITTED_SAMPLES):
         kind = alternating_kind(sample_number)
         features = surface.sample_features(kind, len(scan_numbers), scan_numbers[0], sample_number)
@@ -265,7 +265,7 @@ def nearest_featured_scans(
 def make_featured_scans(
     substitute: Substitute, scan_numbers: Sequence[int]
 ) -> tuple[xr.Dataset, list[HeightMap]]:
-    """Return a dataset of the features of the `nearest_featured_scans`, and the scans."""
+    """Return a dataset of the features of the `nearest_featured_scans`, and these scans."""
     surface = featured_surface(substitute)
     features, scans = nearest_featured_scans(surface, scan_numbers)
     variables = surface.to_variables(features)

@@ -180,7 +180,7 @@ def _run_lengths(mask: Mask) -> NDArray[np.intp]:
 
 
 def _high_runs(steps: Floats) -> Mask:
-    """Return the mask of runs along x above MIN_END_STEPS that exceed MIN_STREAK_STEPS once."""
+    """Return the mask of runs along x above MIN_END_STEPS with a pixel above MIN_STREAK_STEPS."""
     is_certain = steps > MIN_STREAK_STEPS
     if not is_certain.any():
         return is_certain

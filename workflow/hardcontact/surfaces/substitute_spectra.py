@@ -79,9 +79,10 @@ def scan_rms_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weig
     q_x = q_y[: pixels // 2 + 1]
     # An entry of the transform of a real map stands for both waves of a pair of opposite q_x.
     wave_count = np.where((q_x == 0) | (q_x == q_x.max()), 1.0, 2.0)
-    highest = np.hypot(q_y.max(), q_x.max())
+    highest_q = np.hypot(q_y.max(), q_x.max())
     # Margins keep the lowest and the highest wavevector within the bins.
-    edges = np.geomspace(q_x[1] * 0.999, highest * 1.001, BIN_COUNT + 1)
+    edges = np.geomspace(q_x[1] * 0.999, highest_q * 1.001, BIN_COUNT + 1)
+    # Shares of a wave that levelling removes with the mean and slope along one axis.
     mean, slope = squared_projections(q_y * window_pixels * pixel_size / 2)
     # Finite differences along one axis multiply squared amplitudes by this.
     difference = (2 * np.sin(q_y * pixel_size / 2) / pixel_size) ** 2
@@ -91,13 +92,13 @@ def scan_rms_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weig
         rows = slice(start, start + ROWS_AT_A_TIME)
         mean_y, slope_y = mean[rows, None], slope[rows, None]
         removed = mean_y * mean_x + slope_y * mean_x + mean_y * slope_x
-        gradient = difference[rows, None] + difference_x
+        squared_gradient = difference[rows, None] + difference_x
         wavenumber = np.hypot(q_y[rows, None], q_x)
         if start == 0:
             wavenumber[0, 0] = q_x[1]  # The mean height has no weight, but needs a bin.
-        index = np.searchsorted(edges, wavenumber.ravel()) - 1
-        for k, factor in enumerate((1 - removed, gradient, gradient**2 / 4)):
-            weights[k] += np.bincount(index, (wave_count * factor).ravel(), BIN_COUNT)
+        bin_index = np.searchsorted(edges, wavenumber.ravel()) - 1
+        for k, factor in enumerate((1 - removed, squared_gradient, squared_gradient**2 / 4)):
+            weights[k] += np.bincount(bin_index, (wave_count * factor).ravel(), BIN_COUNT)
     return np.sqrt(edges[1:] * edges[:-1]), weights / (pixels * pixel_size) ** 2
 
 
@@ -165,6 +166,7 @@ def calibrate_tail(
         raise refusal
 
     def excess(hurst: float, shortest: float, index: int) -> float:
+        """Return ln of the added over the missing square of gradient (0) or half-Laplacian (1)."""
         tail = power_law_tail(longer_waves, hurst, shortest)
         added = all_scales_rms(Spectrum(WAVEVECTORS, tail))[1 + index]
         return float(np.log(added**2 / missing_squares[index]))
@@ -177,8 +179,8 @@ def calibrate_tail(
         return excess(find_hurst(shortest), shortest, 1)
 
     # Of tails that add the same gradient, one that ends at a shorter wave adds more half-Laplacian.
-    lowest, highest = TAIL_HURST_BOUNDS
-    possible_ends = [end for end in ends if excess(lowest, end, 0) > 0 > excess(highest, end, 0)]
+    low, high = TAIL_HURST_BOUNDS
+    possible_ends = [end for end in ends if excess(low, end, 0) > 0 > excess(high, end, 0)]
     if not possible_ends:
         raise refusal
     longest_end, shortest_end = possible_ends[0], possible_ends[-1]
@@ -202,7 +204,7 @@ def needs_calibration(segments: pd.DataFrame) -> bool:
 def spectrum_from_description(
     path: str | Path, table1: pd.DataFrame, weights: Weights, segments: pd.DataFrame | None = None
 ) -> tuple[Floats, pd.DataFrame, list[str]]:
-    """Return C_iso (nm⁴) on WAVEVECTORS, the calibrated segments, and their CALIBRATION_ROWS."""
+    """Return C_iso (nm⁴) on WAVEVECTORS, its calibrated segments, and their CALIBRATION_ROWS."""
     segments = read_segments(path) if segments is None else segments.copy()
     density = np.zeros_like(WAVEVECTORS)
     calibrated_rows = list[str]()
