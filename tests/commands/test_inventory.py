@@ -1,4 +1,4 @@
-"""The inventory of files has the roughness of their scans, and names unusable datasets."""
+"""The inventory of files has the roughness of their scans, and names unusable files."""
 
 from dataclasses import replace
 

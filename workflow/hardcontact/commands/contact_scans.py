@@ -67,7 +67,7 @@ def select_contact_scans(
 
 
 def _group_by_grid(scans: Sequence[UserScan]) -> dict[str, list[Group]]:
-    """Return the height maps of each surface with accepted pixels, by number and size of pixels."""
+    """Return the usable height maps of each surface, those on the same pixels together."""
     low, high = PIXEL_SIZES
     groups: dict[str, list[Group]] = {}
     for surface, surface_scans in scans_by_surface(scans).items():
@@ -115,7 +115,7 @@ def _best_group(
 
 
 def _sphere_group(groups: list[Group], substrates: Sequence[UserScan], radius: float) -> Group:
-    """Return scans of the sphere: not too large, then on the substrates' grid, then the most."""
+    """Return the sphere's group of the best size, then the best grid, then the most scans."""
 
     def rank(group: Group) -> tuple[bool, bool, int, float]:
         scan = group[0]

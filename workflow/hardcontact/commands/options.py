@@ -93,11 +93,13 @@ def parse_quantities(arguments: Namespace) -> tuple[dict[str, QuantityOption], l
         if text is not None:
             with collect_faults(faults, f"--{name}: "):
                 number = quantity.number(text)
-                quantities[name] = QuantityOption(text.strip(), number, quantity.unit, True)
+                quantities[name] = QuantityOption(
+                    text.strip(), number, quantity.unit, is_given=True
+                )
         if name in CONTACT_QUANTITIES and name not in quantities:
             paper_text = key_field(CONTACT_QUANTITIES[name][0]).default
             number = quantity.number(paper_text)
-            quantities[name] = QuantityOption(paper_text, number, quantity.unit, False)
+            quantities[name] = QuantityOption(paper_text, number, quantity.unit, is_given=False)
     return quantities, faults
 
 

@@ -57,8 +57,7 @@ class Effort(NamedTuple):
     range_count: int  #: Ranges of adhesion.
 
 
-#: Full effort takes a minute of processor time for a scan of 512 x 512 pixels, quick effort a
-#: third.
+#: Chosen: a minute of processor time for a scan of 512 x 512 pixels; quick effort takes a third.
 FULL_EFFORT = Effort(
     pixels=4096, cutoff_count=14, master_count=5, slow_master_count=3, contacts_per_row=20,
     range_count=12,

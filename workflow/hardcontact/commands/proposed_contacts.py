@@ -56,7 +56,7 @@ def choose_contact(
 ) -> PermittedContact:
     """Return a contact with the window and, if none was given, the range that the scans need.
 
-    `scans` includes the scans of the sphere; `max_pixels` limits the rows of masters.
+    `scans` includes the scans of the sphere.
     """
     window, window_reason = _window_on_scans(scans, contact)
     shortest, reason = _shortest_range(scans, substrates, contact, window, max_pixels)
@@ -115,18 +115,15 @@ def short_edge_pixels(scan: UserScan, contact: Contact, max_pixels: int) -> int:
     pixels = 2 * scan.pixels
     while (finer_pixels := 2 * pixels) <= max_pixels:
         pixel_size = 2 * scan.size / finer_pixels  # A master is two scans wide.
-        seconds = _contact_seconds(scan, contact, pixel_size)
-        if (
-            pixel_size < FINEST_PIXEL_SIZE
-            or CONTACTS_PER_ROW_CHOICES[-1] ** 2 * seconds > MAX_CONTACT_SECONDS
-        ):
+        seconds = CONTACTS_PER_ROW_CHOICES[-1] ** 2 * _contact_seconds(scan, contact, pixel_size)
+        if pixel_size < FINEST_PIXEL_SIZE or seconds > MAX_CONTACT_SECONDS:
             break
         pixels = finer_pixels
     return pixels
 
 
 def _contact_seconds(scan: UserScan, contact: Contact, pixel_size: float) -> float:
-    """Estimate the seconds for one contact and the periods in its window; `pixel_size` is in nm."""
+    """Estimate the seconds for a contact with all periods in its window; `pixel_size` is in nm."""
     periods = periods_in_window(contact.window, scan.size)
     cell_count = (count_window_pixels(contact.window, pixel_size) / CELL_PIXELS) ** 2
     pixel_count = contact.pixel_count(pixel_size) * periods

@@ -77,7 +77,7 @@ def _reading_cautions(scans: Sequence[UserScan]) -> Iterator[str]:
 
 def _radius_question(scan: UserScan, stated_radius: float) -> str:
     """Return a question about the radius (nm) of a sphere whose scan stays curved."""
-    # Its sign is not known: the stated radius may be too large or too small.
+    # The curvature has no sign: the stated radius may be too large or too small.
     curvature_left = 1 / scan.defects["curvature"]["curvature_radius"]
     curvatures = (1 / stated_radius + curvature_left, 1 / stated_radius - curvature_left)
     radii = " or ".join(
@@ -95,7 +95,7 @@ def _contact_cautions(
     permitted: PermittedContact,
     search_sizes: Mapping[str, float],
 ) -> Iterator[str]:
-    """Yield sentences on contacts on these scans; lengths are in nm."""
+    """Yield sentences on contacts on substrates; lengths are in nm."""
     contact = permitted.contact
     if contact.rho > usual_range:
         yield (
