@@ -25,8 +25,7 @@ from hardcontact.inference.mean_forces import (
     summarize_masters,
 )
 
-#: The label, along the dimension `group`, of the change averaged over all surfaces. The other
-#: groups are single surfaces.
+#: The label in `group` of the change averaged over all surfaces; other groups are single surfaces.
 MEAN_GROUP = "mean"
 #: The dimension of curves: the cutoffs of both sides in nm.
 CUTOFF = "cutoff_wavelength"

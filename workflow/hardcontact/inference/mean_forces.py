@@ -34,7 +34,7 @@ class SurfaceForces(NamedTuple):
     """Mean forces of one surface in one contact model, over scans of both bodies and contacts."""
 
     ranges: Floats  #: (rho,) Ranges of adhesion in nm.
-    mean: Floats  #: (rho,) Mean force in N, at the work of adhesion of single forces.
+    mean: Floats  #: (rho,) Mean in N of the forces in `forces_of_surface`, at their work.
     delete_one_log_means: Floats  #: (rho, part) Logarithms of the mean over all parts but one.
     scan_parts: list[ScanParts]  #: (rho,) The same parts, but with a correlation for each range.
     log_force_std: Floats  #: (rho,) Standard deviation of ln F over single contacts.

@@ -116,6 +116,7 @@ def fit_measured(
     tables = dict(list(force_table.groupby("surface")))
     surfaces = [name for name in adhesion["surface"].values.tolist() if name in tables]
     summaries = {name: summarize_forces(tables[name]) for name in surfaces}
+    # The old word "tests" is a part of the seed.
     sampled_means = [
         sample_measured_mean(sampling.generator("tests", name), summary, sampling.sample_count)
         for name, summary in summaries.items()

@@ -32,7 +32,6 @@ OCTAVE_LIMITS: Floats = np.ldexp(10.0, np.arange(-7, 18))
 #: Relative change of an amplitude. With smaller steps single contact pixels would decide; with
 #: larger ones the error of the central difference grows.
 AMPLITUDE_STEP = 0.05
-#: Factors on the amplitude of an octave.
 AMPLITUDE_FACTORS = (1 - AMPLITUDE_STEP, 1 + AMPLITUDE_STEP)
 #: Number of octaves that an answer names, the strongest first.
 NAMED_OCTAVE_COUNT = 3
@@ -54,7 +53,7 @@ def octave_force_dataset(
     surface: HeightMap, limits: Sequence[float] | Floats, compute_forces: ForcesOnSurface
 ) -> xr.Dataset:
     """Return ``octave_force`` with one octave multiplied by each of AMPLITUDE_FACTORS."""
-    changed_surface = replace(surface, heights=np.empty_like(surface.heights))
+    changed_surface = replace(surface, heights=np.empty_like(surface.heights))  # for all octaves
 
     def octave_forces(octave: HeightMap, factor: float) -> Floats:
         np.multiply(octave.heights, factor - 1, out=changed_surface.heights)
@@ -86,8 +85,8 @@ def whole_surface_forces(surface: HeightMap, contact: Contact, ranges: list[floa
 def strongest_octaves(sensitivity: xr.Dataset) -> Iterator[Number]:
     """Yield wavelength and sensitivity of the octaves to which the force is most sensitive."""
     finite = sensitivity.dropna("octave", subset=["octave_sensitivity"])
-    strongest = np.argsort(-np.abs(finite["octave_sensitivity"].values))[:NAMED_OCTAVE_COUNT]
-    for rank, index in enumerate(strongest, start=1):
+    indices = np.argsort(-np.abs(finite["octave_sensitivity"].values))[:NAMED_OCTAVE_COUNT]
+    for rank, index in enumerate(indices, start=1):
         octave = finite.isel(octave=index)
         low, high = octave.get("octave_sensitivity_interval", (np.nan, np.nan))
         value = float(octave["octave_sensitivity"])

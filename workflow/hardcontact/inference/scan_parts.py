@@ -88,7 +88,7 @@ class ScanParts:
         """Factor on the variance of the delete-one jackknife, and its degrees of freedom.
 
         A mean correlation c of n parts lowers the jackknife variance by the factor 1 - c, but
-        raises the variance of their mean by 1 + (n - 1) c. The degrees of freedom are
+        raises that of the mean by the factor 1 + (n - 1) c. The degrees of freedom are
         Satterthwaite's for the correlation matrix minus its column means. NaN without an interval.
         """
         if self.interval_source not in (IntervalSource.SCANS, IntervalSource.QUARTERS):
@@ -113,7 +113,7 @@ def quarters_of_contacts(contacts_per_row: int, tiles: int) -> NDArray[np.int_]:
     """Return the quarter (contact_y, contact_x), 0 to 3, of the scan that holds each contact.
 
     The map is the mirrored scan, repeated `tiles` times along each axis. If a map is not mirrored,
-    the second half along an axis is the middle of its period, and the first is the rest.
+    the second half along an axis is the middle half of its period.
     """
     # Positions of `contact_positions` in widths of the scan; the second width is its mirror image.
     unfolded = 2 * tiles * (np.arange(contacts_per_row) + 0.25) / contacts_per_row % 2
@@ -131,8 +131,9 @@ def parts_of_scans(
     """Return the parts of the scans of a surface: three or more scans, otherwise quarters.
 
     `scan_of_map` (map,) numbers the scan of each map, `quarters` come from `quarters_of_contacts`.
-    The `period` in nm is the width of a map. Around a contact, the surface attracts with a Gaussian
-    weight (Eq. 3 of the paper), whose `weight_deviation` is sqrt(R rho) in nm.
+    The `period` in nm is the width of a mirrored scan or a whole surface. Around a contact, the
+    surface attracts with a Gaussian weight (Eq. 3 of the paper), whose `weight_deviation` is
+    sqrt(R rho) in nm.
     """
     scans, scan = np.unique(scan_of_map, return_inverse=True)
     if len(scans) >= ENOUGH_SCANS:
@@ -157,7 +158,7 @@ def parts_of_maps(
 
 
 def _correlation_of_quarters(period: float, weight_deviation: float) -> Floats:
-    """Return the correlation (4, 4) of the mean forces on quarters of a map; lengths are in nm.
+    """Return the correlation (4, 4) of the mean forces on the quarters of a periodic map.
 
     Along one axis, the surface attracts the contacts of one half with a weight: a step, 1 on this
     half and 0 on the other, smoothed by a Gaussian. If roughness is uncorrelated, the covariance of
@@ -195,7 +196,7 @@ def interval_half_width(variances: Sequence[Variance], confidence: float) -> Flo
     """Return the half width (...) of the interval of a logarithm with independent variances.
 
     It follows from Student's t with Satterthwaite's degrees of freedom, and is at most
-    MAX_LOG_DEVIATION. NaN if a variance is, or if all are rounding errors.
+    MAX_LOG_DEVIATION. NaN if a variance is NaN, or for mere rounding errors.
     """
     total = np.asarray(sum(variance.value for variance in variances))
     divisor = np.where(total > 0, total, 1.0)
