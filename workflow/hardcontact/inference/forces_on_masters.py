@@ -24,7 +24,7 @@ class Filters(NamedTuple):
     """The filters of one side."""
 
     side: str  #: short: wavelengths below the cutoff are removed; long: wavelengths above it.
-    pixels: int  #: Pixels per row of the filtered surfaces.
+    pixels: int  #: Pixels per row of the surfaces in contact.
     cutoffs: Sequence[float]  #: In nm.
 
 
@@ -57,7 +57,7 @@ def filtered_pull_off(
     surface_forces = (compute_forces(surface) for surface in surfaces)
     unfiltered, *filtered = progress(surface_forces, 1 + len(cutoffs), "cutoffs")
     axes = ("radius", "loading", "rho", *CONTACT_AXES)
-    pixel_size = master.size / pixels  # of the filtered surfaces, on which contacts are computed
+    pixel_size = master.size / pixels  # of the surfaces in contact
     spectrum_end = 2 * pixel_size if side == "short" else master.size
     touching_areas = [loaded.pixel_count(pixel_size) * pixel_size**2 for loaded in loaded_contacts]
     contact_areas = [loaded.area for loaded in loaded_contacts]
@@ -106,7 +106,7 @@ def add_force_ratios(forces: xr.Dataset) -> xr.Dataset:
     unfiltered = forces["unfiltered_pull_off_force"].mean(CONTACT_AXES)
     # Coordinates keep their units.
     ratio = (filtered / unfiltered).drop_attrs(deep=False).assign_attrs(DIMENSIONLESS)
-    # All realizations, if any, have the same end; it is NaN for those that a surface does not have.
+    # All realizations, if any, have the same end, NaN where a surface has no such realization.
     realization_axes = [axis for axis in forces["spectrum_end"].dims if axis == "realization"]
     spectrum_end = forces["spectrum_end"].max(realization_axes, keep_attrs=True)
     return forces.assign(filtered_force_ratio=ratio, spectrum_end=spectrum_end)
