@@ -18,7 +18,7 @@ rule compute_hindcast_forces:
         parameters=lambda w: dict(
             scan=int(w.scan),
             body_scans=PLAN.rough_bodies(w.surface, int(w.scan)),
-            measurement_indices=PLAN.measurements_of_map(w.surface, int(w.scan)),
+            measurement_indices=PLAN.measurement_indices(w.surface, int(w.scan)),
             **SETTINGS["hindcast"],
         ),
     script:

@@ -124,7 +124,7 @@ def check_quantities(**numbers: Any) -> None:
 
 
 def check_contact(surface: HeightMap, contact: Contact, ranges: Sequence[float]) -> None:
-    """Refuse a contact that a study of this periodic surface would refuse."""
+    """Refuse pixels, a window, contacts per row, a load or ranges beyond the limits of a study."""
     low, high = PIXEL_SIZES
     if not low <= surface.pixel_size <= high:
         raise ValueError(

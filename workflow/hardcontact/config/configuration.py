@@ -57,7 +57,7 @@ def merge_overlay(config: Mapping[str, Any], overlay: Mapping[str, Any]) -> dict
 
 
 def apply_effort(config: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the configuration; with `effort: quick` the keys under `quick` replace others."""
+    """Return the configuration; at quick effort with its quick keys, and names in QUICK_SUFFIX."""
     quick = config.get("quick")
     if config.get("effort") != "quick" or not isinstance(quick, dict):
         return dict(config)

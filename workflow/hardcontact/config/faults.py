@@ -79,7 +79,7 @@ def shorten(value: object) -> str:
 
 
 def validate(model: type[Model], value: object, prefix: str = "") -> Model:
-    """Return a value of YAML or of a table as a model; messages begin with the prefix."""
+    """Return YAML, or a row of a table, as a model's instance; messages begin with the prefix."""
     try:
         return model.model_validate(value)
     except ValidationError as error:
@@ -100,8 +100,8 @@ def _fault_lines(model: type[BaseModel], error: ValidationError, prefix: str) ->
             return [prefix.removesuffix("config key ") + line for line in lines]
         else:
             faults.setdefault(_join_key(location), _describe_fault(fault))
-    for section, names in unknown.items():
-        faults[_join_key(section)] = _describe_unknown(model, section_model(model, section), names)
+    for keys, names in unknown.items():
+        faults[_join_key(keys)] = _describe_unknown(model, section_model(model, keys), names)
     return [f"{prefix}{key}: {faults[key]}" for key in sorted(faults)]
 
 
@@ -128,7 +128,7 @@ def _describe_fault(fault: Mapping[str, Any]) -> str:
 
 
 def _describe_unknown(model: type[BaseModel], section: type[BaseModel], names: list[str]) -> str:
-    """Return the accepted keys of a section, and known keys of any section that names resemble."""
+    """Return the accepted keys of a section, and the known keys that unknown names resemble."""
     known_keys = list(section.model_fields)
     in_yaml = {key: _key_in_yaml(key) for key, _ in key_fields(model)}
     # A name that several sections have stands for the first.

@@ -34,7 +34,7 @@ def key(default: Any, paper_section: str = "") -> Any:
 
 
 class Keys(BaseModel):
-    """Keys of a section, or cells of a row: unless stated, others and other types are refused."""
+    """Keys of a section, or cells of a row: by default other names and types are refused."""
 
     model_config = ConfigDict(
         extra="forbid",

@@ -56,7 +56,7 @@ class NamedContact(NamedTuple):
 
 
 def study_contacts(study: dict[str, Any]) -> dict[str, NamedContact]:
-    """Return the contact that pixels and memory limit most on scans, indents, band and sets."""
+    """Return, for scans, indents, band and sets, the contact that pixels and memory limit most."""
     contact = study_contact(study)
     scan_contact = NamedContact(replace(contact, rho=study["adhesion"]["ranges"][0]))
     master_contact = NamedContact(contact, rho_key="adhesion.range")
@@ -178,7 +178,7 @@ def _master_faults(
             f"{size:.6g} nm of a master of {section}.{side} on {surface}"
         )
         for wavelength in np.atleast_1d(get_key(study, keys[name])):
-            # Exactly two pixels is refused with some margin, as `filters.lowpass` does.
+            # The margin refuses exactly two pixels in spite of rounding, as `filters.lowpass` does.
             if not 2 * finest * (1 + 1e-9) < wavelength <= size:
                 yield key_fault(keys[name], accepted, f"{wavelength:.4g} nm")
     if study["band"]["sphere_roughness"]:

@@ -54,18 +54,18 @@ class StudyPlan:
     def scan_batches(self) -> dict[tuple[int, ...], list[str]]:
         """The substitutes by batch: the numbers of the scans that one job makes.
 
-        The first batch has the scans of the study. Only the paper's study has other batches, each
-        with as many more scans, for masters.
+        The first batch of a surface has its scans of the study. Only the paper's study has other
+        batches, each with as many more scans, for masters.
         """
         master_count = max(self.study[name]["masters"] for name in ("band", "sets", "exponents"))
-        surfaces_by_scans = defaultdict[tuple[int, ...], list[str]](list)
+        surfaces_by_batch = defaultdict[tuple[int, ...], list[str]](list)
         for surface in self.selection.substitutes:
             scans = self.selection.contact_scans(surface)
             last_scan = self.master_scan(surface, master_count)
-            surfaces_by_scans[tuple(scans)].append(surface)
+            surfaces_by_batch[tuple(scans)].append(surface)
             for start in range(max(scans) + 1, last_scan + 1, len(scans)):
-                surfaces_by_scans[tuple(range(start, start + len(scans)))].append(surface)
-        return surfaces_by_scans
+                surfaces_by_batch[tuple(range(start, start + len(scans)))].append(surface)
+        return surfaces_by_batch
 
     def master_scan(self, surface: str, realization: int) -> int:
         """Return the number of the scan from which a master is made.
@@ -105,16 +105,16 @@ class StudyPlan:
         return bodies
 
     def sphere_scan(self, surface: str, scan: int) -> int:
-        """Return the scan of the sphere that meets a scan of a substrate, in turn."""
+        """Return the number of the sphere's scan that meets a scan of a substrate, in turn."""
         sphere_scans = self.selection.sphere_scans
         return sphere_scans[self.selection.contact_scans(surface).index(scan) % len(sphere_scans)]
 
-    def measurements_of_map(self, surface: str, scan: int) -> list[int]:
+    def measurement_indices(self, surface: str, scan: int) -> list[int]:
         """Return the indices, from 0, of the scans of a map among all scans of its spectrum."""
         bodies = self.rough_bodies(surface, scan)
         all_scans = self.selection.all_scans
-        measured = [(body.surface, number) for body in bodies for number in all_scans(body.surface)]
-        return [measured.index(body) for body in bodies]
+        scans = [(body.surface, number) for body in bodies for number in all_scans(body.surface)]
+        return [scans.index(body) for body in bodies]
 
     @property
     def positions_per_row(self) -> int:

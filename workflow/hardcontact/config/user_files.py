@@ -15,7 +15,7 @@ from pydantic import Field, WrapValidator
 from hardcontact.config.faults import Model, quote_key, raise_faults, validate
 from hardcontact.records.code import ROOT
 
-#: Largest size of a table: some hundred thousand rows.
+#: Largest size of a table: about a hundred thousand rows.
 MAX_TABLE_BYTES = 10_000_000
 #: A number with a decimal comma.
 DECIMAL_COMMA = re.compile(r"^([-+]?\d*),(\d+(?:[eE][-+]?\d+)?)$")
