@@ -1,4 +1,4 @@
-"""Tables of surfaces: faulty ones are refused in one line; each content has its digests."""
+"""Tables of surfaces: faulty ones are refused in one line; digests change with the files."""
 
 import numpy as np
 import pytest
@@ -31,7 +31,7 @@ HEADER = ROWS.partition("\n")[0]
         (b"\xff\xfe\x00garbage", ["expected a table of surfaces"]),
     ],
 )
-def test_a_faulty_table_is_refused_with_its_line(tmp_path, project_folder, text, message_parts):
+def test_a_faulty_table_is_refused(tmp_path, project_folder, text, message_parts):
     assert_says(refusal(read_surfaces, text, tmp_path), "surfaces.tsv", "expected", *message_parts)
 
 

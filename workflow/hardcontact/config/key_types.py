@@ -74,7 +74,7 @@ def _validate_ascending(texts: Any, validate: Callable[[Any], list[float]]) -> l
 
 
 def study_name(max_length: int = MAX_NAME_LENGTH) -> Matching:
-    """Return the type of the name of a study: no name in .txt, as of other files in `results`."""
+    """Return the type of the name of a study, without .txt, which other files in `results` have."""
     return Matching(
         rf"(?!.*\.txt$)[A-Za-z0-9][A-Za-z0-9_.-]{{0,{max_length - 1}}}",
         f"a name of up to {max_length} letters, digits, dots, dashes and underscores, without "
