@@ -53,17 +53,17 @@ def test_the_sum_keeps_its_digits_if_little_attracts_outside_contact(case, rough
 @pytest.mark.parametrize(
     ("depth_share", "penetration_share"), [(0.99, 0.5), (0.5, 0.99), (0.99, 0.99)]
 )
-@pytest.mark.parametrize(("number", "error"), [(np.float32, SINGLE_PRECISION_ERROR), (float, 1e-9)])
+@pytest.mark.parametrize(("dtype", "error"), [(np.float32, SINGLE_PRECISION_ERROR), (float, 1e-9)])
 def test_subtracted_contact_pixels_leave_enough_digits_up_to_both_limits(
-    number, error, depth_share, penetration_share
+    dtype, error, depth_share, penetration_share
 ):
     # A spike outside the window of the contact, and one in it that sinks in.
     rho, pixel_size = 2.0, 50.0
-    precision = np.dtype(number).type
+    precision = np.dtype(dtype).type
     max_depth, max_penetration = DEPTH_OVER_RANGE[precision], MAX_PENETRATION[precision]
-    heights = periodic_noise(96, 0.1, 5).astype(number)
-    heights[60, 60] = heights.max() + number(depth_share * max_depth * rho)
-    heights[12, 12] = heights[8:16, 8:16].max() + number(penetration_share * max_penetration * rho)
+    heights = periodic_noise(96, 0.1, 5).astype(dtype)
+    heights[60, 60] = heights.max() + dtype(depth_share * max_depth * rho)
+    heights[12, 12] = heights[8:16, 8:16].max() + dtype(penetration_share * max_penetration * rho)
     bodies = make_bodies(heights, None, pixel_size, 40, 1)
     (position,) = bodies.geometry.positions
     heights[:] = np.roll(heights, position - 12, axis=(0, 1))

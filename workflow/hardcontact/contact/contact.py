@@ -6,7 +6,7 @@ from dataclasses import dataclass
 #: Contact models: the contact pixels yield, or a single pixel touches.
 PLASTIC = "plastic"
 RIGID = "rigid"
-#: Contact models in the order of their areas, the smallest first.
+#: Contact models by increasing area.
 CONTACT_MODELS = [RIGID, PLASTIC]
 #: Axes of the array of contacts.
 CONTACT_AXES = ("contact_y", "contact_x")

@@ -32,7 +32,7 @@ MAX_OVERLAP = 1e-6
 FIRST_TOUCHING_PIXELS = 32
 #: Most pixels that may touch: their dense matrix then takes 128 MB.
 MAX_TOUCHING_PIXELS = 4000
-#: Begins the messages on contacts whose equilibrium is not found.
+#: Begins messages if no equilibrium is found.
 EXPECTED_EQUILIBRIUM = "expected an elastic contact in equilibrium"
 #: Most steps of an iteration; the active set needs about ten.
 MAX_ITERATIONS = 200
@@ -40,9 +40,9 @@ MAX_ITERATIONS = 200
 RELATIVE_RESIDUAL = 1e-9
 #: First step and tolerance of the load in the search for pull-off, relative to the rigid force.
 LOAD_STEP = 1e-6
-#: Largest number of pixels per row of the map of the pressure in one contact.
+#: Most pixels per row of the pressure map of a contact.
 PRESSURE_MAP_PIXELS = 64
-#: Width in nm of the window about the lowest gap in which elastic and rigid forces are compared.
+#: Largest width in nm of the window about the lowest gap in which elastic and rigid forces are compared.
 PULL_OFF_WINDOW = 2500.0
 #: Quantities of each elastic contact, with their units.
 ELASTIC_UNITS = {
@@ -199,7 +199,7 @@ def solve_elastic_contacts(
     pull_off_pixels = min(count_window_pixels(PULL_OFF_WINDOW, pixel_size), period_pixels)
     metrics = []
     pressures = []
-    # More threads take twice the processor time and give the same numbers.
+    # More threads only take twice the processor time.
     with threadpool_limits(1, "blas"):
         for index in progress(contact_indices, len(contact_indices), "elastic contacts"):
             gap = reference_gap_map(bodies, index)

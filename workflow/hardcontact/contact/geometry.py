@@ -31,7 +31,7 @@ class ContactGeometry:
     positions: NDArray[np.int_]
 
     def paraboloid(self, offsets: ArrayLike) -> Floats:
-        """Return the smooth sphere's height (nm) at offsets (pixels) along one axis; axes add."""
+        """Return the heights (nm) of the smooth sphere at offsets (pixels) along one axis."""
         return (np.asarray(offsets) * self.pixel_size) ** 2 / (2 * self.radius)
 
     def window_mask(self, offsets: NDArray[np.int_]) -> NDArray[np.bool_]:

@@ -1,4 +1,4 @@
-"""Limits of the range of adhesion, the window and the scan, beyond which forces are wrong.
+"""Limits of the range of adhesion, of the window and of the size of scans.
 
 A sphere touches summits within the search size (`theory.summits`). The force on a smaller scan is
 too large, because the sphere finds the same few summits everywhere.
@@ -26,7 +26,7 @@ DEPTH_OVER_RANGE = {precision: limit - 40 for precision, limit in EXP_LIMITS.ite
 SHORTEST_WHOLE_RANGE = 490 / EXP_LIMITS[np.float64]
 #: A range of adhesion (nm) much shorter than the published 5.6 nm.
 SHORT_ADHESION_RANGE = 1.0
-#: Largest penetration relative to the range of adhesion that a study accepts.
+#: Largest penetration, relative to the range of adhesion, that a study accepts.
 PENETRATION_OVER_RANGE = 25.0
 #: Upper limits of scan width / search size, with the lowest and highest mean force on a mirrored
 #: scan relative to the 20 µm surface from which it was cut; larger scans had 0.95 to 1.14. Source:
@@ -49,7 +49,7 @@ class Extent(NamedTuple):
 
     pixels: int  #: Per row.
     pixel_size: float  #: Width of a pixel in nm.
-    size: float  #: Width of the scans in nm.
+    size: float  #: Width of each scan in nm.
     relief: float  #: Highest minus lowest height in nm.
 
 

@@ -49,7 +49,7 @@ def attraction_sums(
         largest_gap = gaps[..., count - 1]
         open_gaps = gaps[..., count:] - largest_gap[..., None]
         open_sums = np.array([np.exp(-open_gaps / rho).sum(axis=-1) for rho in ranges])
-        # Fewer contact pixels keep the bodies further apart than `contact_pixels`.
+        # With fewer contact pixels the bodies stay further apart.
         decay = np.exp((largest_gap - gaps[..., -1]) / rho_column)
         sums.append(count + open_sums + sums_outside * decay)
     return np.array(sums)
