@@ -14,7 +14,7 @@ def random_heights(*shape):
 
 
 def write_scan(path, values=None, sizes=(320.0, 320.0), unit="nm"):
-    """Write a scan of 10 nm a pixel, or of other sizes; first axis x."""
+    """Write a map whose first axis is x, by default noise on pixels of 10 nm."""
     Topography(random_heights() if values is None else values, sizes, unit=unit).to_netcdf(
         str(path)
     )
@@ -79,22 +79,23 @@ MAP_WRITERS = SCAN_WRITERS | {
 }
 
 
-def write_nanoscope(path, values, size, channels=("Height",)):
-    """Write a Nanoscope file with counts (y, x) of 0.1 nm in every channel.
+def write_nanoscope(path, counts, size, channels=("Height",)):
+    """Write a Nanoscope file of a size (nm) with counts (y, x) of 0.1 nm in every channel.
 
     The first line of the counts is the top of the scan. A channel Phase is in degrees.
     """
-    rows, columns = values.shape
-    data = np.asarray(values, "<i2").tobytes()
-    head = [r"\*File list", r"\Version: 0x07200000", r"\*Scanner list"]
-    head += [r"\@Sens. Zsens: V 10 nm/V", r"\@Sens. Phase: V 1 deg/V"]
+    rows, columns = counts.shape
+    data = np.asarray(counts, "<i2").tobytes()
+    data_offset = 4096  # any number of bytes that the header does not exceed
+    header = [r"\*File list", r"\Version: 0x07200000", r"\*Scanner list"]
+    header += [r"\@Sens. Zsens: V 10 nm/V", r"\@Sens. Phase: V 1 deg/V"]
     for number, channel in enumerate(channels):
         sensitivity = "Phase" if channel == "Phase" else "Zsens"
-        head += [r"\*Ciao image list", rf"\Samps/line: {columns}", rf"\Number of lines: {rows}"]
-        head += [rf"\Scan Size: {size[0]} {size[1]} nm", rf"\Data length: {len(data)}"]
-        head += [rf"\Data offset: {4096 + number * len(data)}", r"\Bytes/pixel: 2"]
-        head += [rf"\@2:Image Data: S [{channel}] \"{channel}\""]
-        head += [rf"\@2:Z scale: V [Sens. {sensitivity}] (0.01 V/LSB) {0.01 * 2**16} V"]
-    text = "\r\n".join([*head, r"\*File list end", ""]).encode("latin-1")
-    path.write_bytes(text.ljust(4096, b"\0") + data * len(channels))
+        header += [r"\*Ciao image list", rf"\Samps/line: {columns}", rf"\Number of lines: {rows}"]
+        header += [rf"\Scan Size: {size[0]} {size[1]} nm", rf"\Data length: {len(data)}"]
+        header += [rf"\Data offset: {data_offset + number * len(data)}", r"\Bytes/pixel: 2"]
+        header += [rf"\@2:Image Data: S [{channel}] \"{channel}\""]
+        header += [rf"\@2:Z scale: V [Sens. {sensitivity}] (0.01 V/LSB) {0.01 * 2**16} V"]
+    text = "\r\n".join([*header, r"\*File list end", ""]).encode("latin-1")
+    path.write_bytes(text.ljust(data_offset, b"\0") + data * len(channels))
     return path

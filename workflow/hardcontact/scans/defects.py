@@ -125,7 +125,7 @@ def level_and_list_defects(
 
 
 def _find_and_fill_streaks(heights: Floats) -> tuple[Floats, Defect]:
-    """Return a map with filled streaks, and their numbers; lines count from 1."""
+    """Return a map with filled streaks, and the numbers of this defect; lines count from 1."""
     filled_heights, is_filled = fill_streaks(heights)
     lines = np.flatnonzero(is_filled.any(axis=1)) + 1
     if not lines.size:
@@ -304,6 +304,7 @@ def _find_noise(variance: float, power: Floats) -> Defect:
     half_octave_masks = [half_octave_of_wave == index for index in resolved_half_octaves]
     mean_powers = [power[mask].mean() for mask in half_octave_masks]
     counts = [np.count_nonzero(mask) for mask in half_octave_masks]
+    # Slopes of the logarithmic spectrum against the wavenumber, shortest waves first.
     slopes = -2 * np.diff(np.log2(np.maximum(mean_powers, np.finfo(float).tiny)))
     # Under the window one wave of four is independent, and opposite wavevectors have equal power.
     relative_errors = np.sqrt(8 / np.array(counts))

@@ -1,6 +1,6 @@
 """Turn a topography of SurfaceTopography into the fields of a scan: heights and pixel size.
 
-Maps are cropped to squares, gaps are filled, line scans are resampled.
+Pixels become square, maps are cropped to squares, gaps are filled, uneven line scans are resampled.
 """
 
 from collections.abc import Sequence
@@ -128,16 +128,16 @@ def map_fields(topography: Any, factor: float, undefined_pixels: str) -> dict[st
 
 
 def _crop_to_square(heights: np.ma.MaskedArray) -> np.ma.MaskedArray:
-    """Return the central square of a map, or a large one inside a round or rotated scan."""
+    """Return the central square of a map, or a square within a round or rotated scan."""
     pixels = min(heights.shape)
     first_column, first_row = ((count - pixels) // 2 for count in heights.shape)
     central = heights[first_column : first_column + pixels, first_row : first_row + pixels]
     # The corners of a round or rotated scan are undefined. Filled, they would be too smooth.
     regions, _ = scipy.ndimage.label(heights.mask)
-    corners = regions[[0, 0, -1, -1], [0, -1, 0, -1]]
-    if not corners.all() or central.mask.mean() > MAX_UNDEFINED_SHARE:
+    corner_regions = regions[[0, 0, -1, -1], [0, -1, 0, -1]]  # 0 if a corner is defined
+    if not corner_regions.all() or central.mask.mean() > MAX_UNDEFINED_SHARE:
         return central
-    is_in_aperture = np.pad(~np.isin(regions, corners), 1)
+    is_in_aperture = np.pad(~np.isin(regions, corner_regions), 1)
     distance = scipy.ndimage.distance_transform_cdt(is_in_aperture, "chessboard")[1:-1, 1:-1]
     centre = np.unravel_index(distance.argmax(), distance.shape)
     reach = int(distance.max()) - 1
@@ -207,8 +207,8 @@ def line_scan_fields(line_scan: Any, factor: float, undefined_pixels: str) -> di
         positions, heights = positions[::-1], heights[::-1]
     undefined_count, undefined_notes = _count_undefined(heights, undefined_pixels)
     grid, notes = _uniform_grid(positions)
-    defined = ~heights.mask
-    filled_heights = np.interp(grid, positions[defined], heights.data[defined]) * factor
+    is_defined = ~heights.mask
+    filled_heights = np.interp(grid, positions[is_defined], heights.data[is_defined]) * factor
     pixel_size = float((grid[-1] - grid[0]) / (len(grid) - 1))
     return _scan_fields(filled_heights, pixel_size, notes + undefined_notes, undefined_count)
 

@@ -98,19 +98,19 @@ def _container_entries(content: bytes) -> list[dict[str, Any]] | None:
     if not zipfile.is_zipfile(io.BytesIO(content)):
         return None
     with zipfile.ZipFile(io.BytesIO(content)) as archive:
-        name = next((name for name in INDEX_FILES if name in archive.namelist()), None)
-        if name is None:
+        index_file = next((name for name in INDEX_FILES if name in archive.namelist()), None)
+        if index_file is None:
             return None
-        text = archive.read(name)
+        text = archive.read(index_file)
     try:
-        index = json.loads(text) if name.endswith(".json") else yaml.load(text, yaml.CFullLoader)
-        surfaces = index["surfaces"]
+        is_json = index_file.endswith(".json")
+        surfaces = (json.loads(text) if is_json else yaml.load(text, yaml.CFullLoader))["surfaces"]
         entries = [
             _container_entry(scan) for surface in surfaces for scan in surface["topographies"]
         ]
     except Exception as error:  # A malformed list may raise any error.
         raise RefusedFile(
-            f"expected {name} that lists surfaces, their topographies and the data file of "
+            f"expected {index_file} that lists surfaces, their topographies and the data file of "
             f"each, found: {type(error).__name__}: {str(error)[:200]}"
         ) from None
     if len(entries) > MAX_SCANS:

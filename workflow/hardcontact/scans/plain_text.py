@@ -15,7 +15,7 @@ from scipy import ndimage
 from hardcontact.base.arrays import Floats
 from hardcontact.scans.heights import MAX_UNDEFINED_SHARE, PIXEL_BOUNDS, POSITION_ROUNDING
 
-#: Bytes that no text has, but for UTF-16.
+#: Bytes that no text has, except in UTF-16.
 BINARY = re.compile(rb"[\0-\x08\x0e-\x1f]")
 #: A line or a cell of numbers and marks of undefined pixels.
 NUMBERS = re.compile(r"(?=.*(?:\d|nan|bad))(?:[-+.,;\s\d]|e(?=[-+\d])|nan|inf|bad)+", re.I)
@@ -169,11 +169,12 @@ def _heights_on_grid(heights: Floats, indices: NDArray[np.intp], offsets: Floats
 
 
 def _grid_axis(positions: Floats) -> Floats:
-    """Return evenly spaced positions (k,) near all positions (n,); none if these are all equal."""
+    """Return evenly spaced positions (k,) of a grid near points (n,); none if all are equal."""
     extent = float(np.ptp(positions))
     if not 0 < extent < np.inf:
         return np.empty(0)
     steps = np.diff(np.unique(positions))
+    # Smaller steps come from rounding.
     spacing = np.median(steps[steps > POSITION_ROUNDING * steps.max()])
     if extent <= spacing * PIXEL_BOUNDS[1]:
         axis = np.linspace(positions.min(), positions.max(), round(extent / spacing) + 1)
@@ -186,12 +187,13 @@ def _grid_axis(positions: Floats) -> Floats:
 def _crowded_axis(positions: Floats, extent: float) -> Floats:
     """Return the evenly spaced positions (k,) near which positions (n,) crowd most."""
     counts, edges = np.histogram(positions, POSITION_BINS)
-    crowding = np.fft.rfft(counts, ZERO_PADDING * POSITION_BINS)
+    spectrum = np.fft.rfft(counts, ZERO_PADDING * POSITION_BINS)
+    # The spectrum of n lines has its peak at n - 1 periods.
     minimum, maximum = (ZERO_PADDING * (count - 1) for count in PIXEL_BOUNDS)
-    peak = minimum + int(np.abs(crowding[minimum : maximum + 1]).argmax())
+    peak = minimum + int(np.abs(spectrum[minimum : maximum + 1]).argmax())
     spacing = ZERO_PADDING * extent / peak
     # The phase of the peak gives the offset of the lines from the centre of the first bin.
-    offset = 0.5 / POSITION_BINS * extent - np.angle(crowding[peak]) / (2 * np.pi) * spacing
+    offset = 0.5 / POSITION_BINS * extent - np.angle(spectrum[peak]) / (2 * np.pi) * spacing
     first_step = round((positions.min() - edges[0] - offset) / spacing)
     last_step = round((positions.max() - edges[0] - offset) / spacing)
     return np.asarray(edges[0] + offset + spacing * np.arange(first_step, last_step + 1))
