@@ -66,13 +66,13 @@ def test_a_map_is_read_as_its_central_square(tmp_path, suffix, shape, square, no
 @pytest.mark.parametrize("suffix", MAP_WRITERS)
 def test_gaps_of_a_map_are_filled_harmonically(tmp_path, suffix):
     x, y = np.mgrid[:32, :32]
-    plane = 0.3 * x - 0.2 * y + 0.01 * x * y  # harmonic, so that gaps are filled by itself
-    values = np.ma.masked_array(plane, False)
+    saddle = 0.3 * x - 0.2 * y + 0.01 * x * y  # harmonic, so filling restores it
+    values = np.ma.masked_array(saddle, False)
     values[3, 4:9] = values[20:24, 20:24] = np.ma.masked
     file = write_and_list(MAP_WRITERS[suffix], tmp_path / f"a.{suffix}", map_of(values))
     assert_says(refusal(read_scan, *file), "found 21", "scan.undefined_pixels: harmonic")
     measurement = read_scan(*file, undefined_pixels="harmonic")
-    np.testing.assert_allclose(measurement.heights, plane.T, atol=1e-9)
+    np.testing.assert_allclose(measurement.heights, saddle.T, atol=1e-9)
     assert measurement.undefined_count == 21
     assert "21 undefined pixels of 1024 filled" in measurement.notes
 
