@@ -42,7 +42,7 @@ def draw(
     plastic_fit = fit.sel(contact_model=PLASTIC)
     floor = published_constants["value"]["force_floor"]
     pairs: dict[str, FitPair] = {"published": published_constants["value"], "fitted": plastic_fit}
-    forces_of_all = {name: _forces_at(adhesion, pair) for name, pair in pairs.items()}
+    forces_at_pairs = {name: _forces_at(adhesion, pair) for name, pair in pairs.items()}
     published_forces = published_pull_off.to_dict("index")
     colours = style.surface_colours(fit["surface"].values)
     figure = drawing.create_figure(5.2, fit)
@@ -50,7 +50,7 @@ def draw(
     for letter, surface, column in zip(ascii_lowercase, colours, grid.T, strict=False):
         surface_forces = {  # surfaces with fewer scans than others are padded by NaN
             name: values.sel(surface=surface).stack(force=[...]).dropna("force").values
-            for name, values in forces_of_all.items()
+            for name, values in forces_at_pairs.items()
         }
         surface_fit = plastic_fit.sel(surface=surface, pair="published")
         published, computed = _lognormals(published_forces[surface], surface_fit)

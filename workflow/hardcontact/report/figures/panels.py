@@ -17,7 +17,7 @@ from hardcontact.report.figures import style
 from hardcontact.report.figures.style import Look
 
 OCTAVE_SHARE = 0.84  # of an octave that its bars cover
-SPHERE_SHARE_LOOK: Look = {"color": style.SPHERE_COLOUR, "lw": 0}  # of a part of a bar
+SPHERE_SHARE_LOOK: Look = {"color": style.SPHERE_COLOUR, "lw": 0}  # of its part of a bar
 UNCHANGED_LOOK: Look = {"color": "0.88", "lw": 0}  # of changes of the force within the tolerance
 RATIO_BAR_OPACITY = 0.45  # many opaque bars would hide the symbols
 #: Largest end of the y axis relative to the largest bar, which longer intervals would make small.
@@ -83,8 +83,8 @@ def draw_map(axes: Axes, heights: np.ndarray, size: float, colour: str) -> None:
 
 def draw_band(axes: Axes, x: Any, curve: xr.Dataset, colour: str) -> None:
     """Fill a band from `low` to `high` where `low` is positive and `high` finite."""
-    is_bounded = (curve["low"] > 0) & (curve["high"] < np.inf)
     low, high = curve["low"], curve["high"]
+    is_bounded = (low > 0) & (high < np.inf)
     axes.fill_between(x, low, high, where=is_bounded, color=colour, **style.SPREAD_LOOK)
 
 
@@ -144,8 +144,8 @@ def draw_edges(
 def draw_octaves(axes: Axes, sensitivity: xr.Dataset) -> None:
     """Draw the change of the force with the amplitude of each octave, with intervals, by surface.
 
-    `octave` is the shortest wavelength (nm) of each. Optional are `is_shown`, false without
-    reliable scan, and `sphere_share`, the part of a bar in the colour of the sphere.
+    `octave` is the shortest wavelength (nm) of each. Optional are `is_shown`, false where no
+    scan is reliable, and `sphere_share`, the part of a bar in the colour of the sphere.
     """
     octaves = sensitivity["octave"].values
     surfaces = sensitivity.assign(value_and_interval(sensitivity, "octave_sensitivity"))
@@ -170,7 +170,7 @@ def draw_octaves(axes: Axes, sensitivity: xr.Dataset) -> None:
 
 
 def cut_long_intervals(axes: Axes, largest_bar: float) -> None:
-    """End the y axis at MAX_AXIS_OVER_BAR largest bars at most; arrows mark longer intervals."""
+    """Limit the y axis to MAX_AXIS_OVER_BAR times the largest bar; arrows mark longer intervals."""
     limit = MAX_AXIS_OVER_BAR * largest_bar
     low, high = axes.get_ylim()
     low, high = max(low, -limit), min(high, limit)
