@@ -63,8 +63,8 @@ def test_stacked_surfaces_keep_their_ends_and_have_empty_measurements(tmp_path):
     assert list(table["kind"].values[0]) == ["map", "", ""]
     assert table["reliable"].values[0, 1:].sum() == 0
     assert np.isnan(table["psd"].values[0, 1:]).all()
-    for name, single in (("rough", rough), ("coat", coat)):
-        surface_spectrum = table.sel(surface=name)
+    for surface, single in (("rough", rough), ("coat", coat)):
+        surface_spectrum = table.sel(surface=surface)
         np.testing.assert_array_equal(surface_spectrum["spectrum"], single["spectrum"])
         np.testing.assert_array_equal(surface_spectrum["joined_psd"], single["joined_psd"])
         for end in ("shortest_measured", "longest_measured", *Tail._fields):

@@ -201,7 +201,7 @@ def extrapolate_long_waves(density: Floats, longest: float, slope: float, rollof
 
 
 def share_after_levelling(wavevector: Floats, size: float, kind: str) -> Floats:
-    """Return the share (q,) of the variance of waves that remains in a levelled scan of a size."""
+    """Return the share (q,) of variance that levelling leaves of waves of random directions."""
     angle = (np.arange(DIRECTION_COUNT) + 0.5) * np.pi / 2 / DIRECTION_COUNT
     # Below this phase the share would be lost in rounding.
     half_phase = np.maximum(wavevector[:, None] * size / 2, 1e-3)
@@ -239,9 +239,10 @@ class RolloffEvidence:
     def rolloff_quantile(
         self, density: Floats, longest: float, slope: float, probability: float
     ) -> float:
-        """Return a quantile of the roll-off wavelength; the prior is uniform in its logarithm."""
+        """Return a quantile of the roll-off wavelength (nm); `longest` if C_iso does not rise."""
         if slope >= 0:
             return longest
+        # Roll-offs have a prior uniform in their logarithm.
         rolloffs = np.geomspace(longest, MAX_ROLLOFF_OVER_SIZE * self.size, ROLLOFF_COUNT)
         spectra = (extrapolate_long_waves(density, longest, slope, rolloff) for rolloff in rolloffs)
         log_likelihoods = np.array([self._log_likelihood(spectrum) for spectrum in spectra])

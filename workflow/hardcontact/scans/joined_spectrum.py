@@ -87,8 +87,8 @@ def _mean_bins(reliable: NDArray[np.bool_], density: Floats, modes: Floats) -> _
 
 
 def _find_peaks(density: Floats, variance: Floats, power: Floats) -> NDArray[np.bool_]:
-    """Return the mask of peaks: inner bins with more power than a smooth spectrum has by chance."""
-    inner = np.flatnonzero(np.isfinite(density))[1:-1]
+    """Return the mask (bins,) of peaks: more power than a smooth spectrum has by chance."""
+    inner = np.flatnonzero(np.isfinite(density))[1:-1]  # An end bin cannot be a peak.
     modes = 1 / variance[inner] + 0.5  # inverts the variance, trigamma(n) ≈ 1/(n - 0.5)
     is_peak = np.zeros(len(power), bool)
     while True:

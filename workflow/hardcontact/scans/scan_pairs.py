@@ -128,8 +128,8 @@ class Contradiction(NamedTuple):
 
     higher: int  #: Index of the scan with the higher C_iso.
     lower: int
-    factor: float  #: Geometric mean of C_iso, higher to lower, over the bins of the group.
-    wavelengths: tuple[float, float]  #: Shortest and longest (nm) of the group.
+    factor: float  #: Ratio of C_iso, higher to lower: its geometric mean over the group.
+    wavelengths: tuple[float, float]  #: Shortest and longest of the group in nm.
 
 
 def describe_contradictions(contradictions: Sequence[Contradiction], names: Sequence[str]) -> str:
