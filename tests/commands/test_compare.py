@@ -36,11 +36,12 @@ def comparison(*words):
     return compare(compare_arguments([str(word) for word in words]))
 
 
-def own_answer(study, label):
+def own_answer(study, label, effort="full"):
     """Return the answer of a study of one surface of the user, with a single number."""
     number = {"surface": label, **Number("mean_force", 1e-6, "N", 0.9e-6, 1.1e-6)._asdict()}
     return {
-        "study": study, "kind": "own surfaces", "contact": {"hardness": "25 GPa"},
+        "study": study, "kind": "own surfaces", "effort": effort,
+        "contact": {"hardness": "25 GPa"},
         "surfaces": [{"name": label, "label": label}], "quantities": [number],
     }  # fmt: skip
 
@@ -127,9 +128,11 @@ def test_the_page_has_the_bands_and_the_numbers_of_both(studies):
 
 
 def test_single_surfaces_of_two_own_studies_are_compared_whatever_their_names():
-    inputs, numbers = compare_answers(own_answer("a", "bare"), own_answer("b", "coated"))
+    inputs, numbers = compare_answers(own_answer("a", "bare"), own_answer("b", "coated", "quick"))
     assert [row.agreement for row in numbers] == ["equal"]
-    assert [(row.name, row.first, row.second) for row in inputs] == [("surfaces", "bare", "coated")]
+    assert [(row.name, row.first, row.second) for row in inputs] == [
+        ("surfaces", "bare", "coated"), ("effort", "full", "quick"),
+    ]  # fmt: skip
 
 
 def test_what_cannot_be_compared_is_refused_in_a_line(studies):

@@ -11,7 +11,7 @@ from hardcontact.commands import command_line
 from hardcontact.records.origin import Origin, file_digests, keep_records, record_path
 from hardcontact.records.verification import verify_study
 
-# A small study: source.txt -> store/a.nc -> results/final.nc -> results/table.csv
+# A small study: source.txt -> store/a.nc -> results/final.nc -> results/answer.html
 
 
 def make(path, inputs):
@@ -30,7 +30,7 @@ def study(tmp_path, monkeypatch):
     make("store/a.nc", ["source.txt", "code.py"])
     make("store/of_another_study.nc", ["source.txt"])
     make("results/final.nc", ["store/a.nc", "code.py"])
-    make("results/table.csv", ["results/final.nc"])
+    make("results/answer.html", ["results/final.nc"])
     return tmp_path
 
 
@@ -44,8 +44,8 @@ def test_an_unchanged_study_has_no_faults(study):
     [
         ("source.txt", [], ["store/a.nc"]),
         ("code.py", [], ["results/final.nc", "store/a.nc"]),
-        ("results/final.nc", ["results/final.nc"], ["results/table.csv"]),
-        ("results/table.csv", ["results/table.csv"], []),
+        ("results/final.nc", ["results/final.nc"], ["results/answer.html"]),
+        ("results/answer.html", ["results/answer.html"], []),
     ],
 )
 def test_a_changed_file_is_a_fault_of_its_outputs(study, path, altered_outputs, outputs):
@@ -57,14 +57,15 @@ def test_a_changed_file_is_a_fault_of_its_outputs(study, path, altered_outputs, 
 
 def test_missing_inputs_are_counted_and_missing_outputs_are_faults(study):
     (study / "store/a.nc").unlink()
-    (study / "results/table.csv").unlink()
-    faults, (counts,) = verify_study("results")
+    (study / "results/answer.html").unlink()
+    faults, (unfinished, counts) = verify_study("results")
+    assert unfinished == "results/answer.html: is missing, so the study is not finished"
     assert counts == "results: 3 files checked, 1 faults, 1 inputs not at hand"
-    assert faults == ["results/table.csv: expected a file of the study, found none"]
+    assert faults == ["results/answer.html: expected a file of the study, found none"]
 
 
 @pytest.mark.parametrize(
-    "path", ["results/notes.txt", "results/table.csv", "store/a.nc", "store/nobody_s.nc"]
+    "path", ["results/notes.txt", "results/answer.html", "store/a.nc", "store/nobody_s.nc"]
 )
 def test_a_file_without_a_record_is_a_fault(study, path):
     (study / path).touch()
@@ -83,11 +84,11 @@ def test_a_lost_folder_of_records_is_a_fault(study):
 
 
 def test_files_made_with_other_versions_are_no_faults_but_said(study):
-    path = record_path("results/table.csv")
+    path = record_path("results/answer.html")
     path.write_text(path.read_text().replace('\\"scipy\\":\\"', '\\"scipy\\":\\"0.'))
     faults, (versions, _) = verify_study("results")
     assert faults == []
-    assert versions.startswith("1 files, such as results/table.csv, were made with scipy 0.")
+    assert versions.startswith("1 files, such as results/answer.html, were made with scipy 0.")
 
 
 def files_of(folder):
@@ -99,7 +100,7 @@ def test_a_command_checks_an_archive_from_elsewhere_and_writes_nothing(
     study, monkeypatch, capsys, faulty
 ):
     make("results/first/final.nc", ["source.txt"])
-    make("results/first/table.csv", ["results/first/final.nc"])
+    make("results/first/answer.html", ["results/first/final.nc"])
     if faulty:
         (study / "results/first/final.nc").write_text("other")
     files = files_of(study)

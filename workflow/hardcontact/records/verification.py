@@ -39,7 +39,7 @@ def verify_study(folder: str | Path) -> tuple[list[str], list[str]]:
     digests_now = {
         path: file_digest(path) for path in inputs | records.keys() if Path(path).is_file()
     }
-    absent = inputs - digests_now.keys()
+    page = Path(folder, "answer.html")
     faults = [
         *_output_faults(folder, records, digests_now),
         *_input_faults(records, digests_now),
@@ -47,8 +47,9 @@ def verify_study(folder: str | Path) -> tuple[list[str], list[str]]:
     ]
     return faults, [
         *_other_versions(records),
+        *([] if page.is_file() else [f"{page}: is missing, so the study is not finished"]),
         f"{folder}: {len(records)} files checked, {len(faults)} faults, "
-        f"{len(absent)} inputs not at hand",
+        f"{len(inputs - digests_now.keys())} inputs not at hand",
     ]
 
 

@@ -130,7 +130,7 @@ def compare_answers(
             f"{second['study']}: expected a study of the kind of {first['study']}, "
             f"{first['kind']}, found {second['kind']}"
         )
-    inputs = [*_changed_contact(first, second)]
+    inputs = [*_changed_inputs(first, second)]
     results = []
     for number in _numbers_of_both(first, second):
         if number.first.source not in INPUT_SOURCES:
@@ -141,16 +141,19 @@ def compare_answers(
     return inputs, results
 
 
-def _changed_contact(first: Mapping[str, Any], second: Mapping[str, Any]) -> Iterator[ChangedInput]:
-    """Yield the inputs of contacts, and the surfaces, that differ between two answers."""
-    first_texts, second_texts = (
-        {**answer["contact"], "surfaces": ", ".join(row["label"] for row in answer["surfaces"])}
-        for answer in (first, second)
-    )
+def _changed_inputs(first: Mapping[str, Any], second: Mapping[str, Any]) -> Iterator[ChangedInput]:
+    """Yield the inputs of contacts, the surfaces and the effort that differ between two answers."""
+    first_texts, second_texts = map(_input_texts, (first, second))
     for name in first_texts | second_texts:
         first_text, second_text = first_texts.get(name, ""), second_texts.get(name, "")
         if first_text != second_text:
             yield ChangedInput("", name, first_text, second_text)
+
+
+def _input_texts(answer: Mapping[str, Any]) -> dict[str, str]:
+    """Return the inputs of contacts, the surfaces and the effort of an answer by name."""
+    surfaces = ", ".join(row["label"] for row in answer["surfaces"])
+    return {**answer["contact"], "surfaces": surfaces, "effort": answer["effort"]}
 
 
 def _numbers_of_both(

@@ -170,11 +170,9 @@ def _refuse_changed_project_study(config: Mapping[str, Any]) -> None:
 def _announce_changed_values(config: Mapping[str, Any]) -> None:
     """Print the values that differ from those of an earlier run of this study."""
     path = Path(f"results/{config['study']}/configuration.yaml")
-    if not path.is_file():
-        return
     try:
         changes = _changed_values(config, yaml.safe_load(path.read_text("utf-8")))
-    except (KeyError, ValueError):  # of another version, or edited
+    except (OSError, KeyError, ValueError):  # no earlier run, another version, or edited
         return
     if changes:
         line = f"study {config['study']}: makes again what depends on {', '.join(changes)}"
