@@ -26,7 +26,6 @@ class NoValue(StrEnum):
     ONE_FORCE = "one_force"  #: One measured force does not determine range and work.
 
 
-EDGE_NAMES = {"short": "short_edge", "long": "long_edge"}
 #: Words by the status of a number.
 _WORDS = yaml.safe_load((TEXTS / "templates/number_words.yaml").read_text("utf-8"))
 NO_VALUE_WORDS: dict[str, str] = _WORDS["no_value"]

@@ -16,10 +16,10 @@ import xarray as xr
 
 from hardcontact.base.number import Number, NumberStatus
 from hardcontact.contact.contact import PLASTIC
-from hardcontact.inference.edges import EdgeStatus
+from hardcontact.inference.edges import EDGE_NAMES, EdgeStatus
 from hardcontact.paper.claims.verdicts import sets_interval, stretch_interval
 from hardcontact.report.paper_study.answer import ANSWER_CLAIMS, FORCE_UNITS, PAIR_UNITS
-from hardcontact.report.quantities import EDGE_NAMES, NO_INTERVAL_WORDS, numbers_of_answer
+from hardcontact.report.quantities import NO_INTERVAL_WORDS, numbers_of_answer
 from hardcontact.surfaces.metrics import TABLE1_METRICS
 
 #: Digits to which equal numbers agree. Processors with other kernels move numbers by up to 1.7e-10.

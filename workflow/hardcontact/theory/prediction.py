@@ -11,14 +11,13 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length
 from hardcontact.base.number import Number, numbers_by_name
 from hardcontact.contact.contact import Contact
-from hardcontact.inference.edges import EdgeStatus
+from hardcontact.inference.edges import EDGE_NAMES, EdgeStatus
 from hardcontact.scans.extrapolation import TailEnd, extrapolate_short_waves, fit_hurst_exponent
 from hardcontact.scans.joined_spectrum import ScanSpectrum, reliable_spectrum
 from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER
 from hardcontact.surfaces.spectrum import MIN_BINS, WAVEVECTORS, Spectrum, all_scales_rms
 from hardcontact.theory.closed_form import ClosedForm, closed_form, critical_band, smooth_force
 from hardcontact.theory.validity import (
-    EDGE_NAMES,
     Validity,
     is_validated,
     nearest_ratios,
@@ -179,7 +178,7 @@ def _force_number(name: str, form: ClosedForm, point: KnownPoint) -> Number:
 def _edge_numbers(prefix: str, band: tuple[float, float], point: KnownPoint) -> Iterator[Number]:
     """Yield the edges (nm) of a band, named by a prefix and EDGE_NAMES, with their intervals."""
     finite_status = Validity.OUTSIDE if point is None else EdgeStatus.FOUND
-    for name, edge in zip(EDGE_NAMES, band, strict=True):
+    for name, edge in zip(EDGE_NAMES.values(), band, strict=True):
         interval = _validated_interval(name, edge, point)
         status = finite_status if math.isfinite(edge) else EdgeStatus.NO_EDGE
         yield Number(f"{prefix}{name}", edge, "nm", *interval, status)

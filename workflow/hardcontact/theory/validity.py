@@ -16,7 +16,7 @@ import pandas as pd
 
 from hardcontact.base.number import Number
 from hardcontact.contact.contact import Contact
-from hardcontact.inference.edges import EdgeStatus
+from hardcontact.inference.edges import EDGE_NAMES, EdgeStatus
 from hardcontact.surfaces.spectrum import Spectrum, peak_wavelength
 from hardcontact.theory.closed_form import ClosedForm
 
@@ -27,9 +27,8 @@ DESIGNED_SURFACES = Path(__file__).with_name("designed_surfaces.csv")
 NEAREST_SURFACES = 19
 #: Smaller moduli count as this one: below the mean plane the modulus is 0 and has no logarithm.
 MIN_WEIBULL_MODULUS = 1e-3
-EDGE_NAMES = ("short_edge", "long_edge")
 #: Columns of the table with computed quantities; ``predicted_...`` has each predicted quantity.
-VALIDATED_QUANTITIES = ("force", *EDGE_NAMES)
+VALIDATED_QUANTITIES = ("force", *EDGE_NAMES.values())
 #: Parameters that must lie within the ranges of the table, with their units.
 VALIDATED_PARAMETERS = {
     "rho": "nm", "radius": "nm", "weibull_modulus": "1", "contact_over_peak_wavelength": "1",

@@ -8,7 +8,7 @@ import xarray as xr
 
 from hardcontact.base.number import Number, NumberSource, NumberStatus
 from hardcontact.base.statistics import interval_ends
-from hardcontact.inference.edges import EdgeStatus, computed_cutoffs
+from hardcontact.inference.edges import EDGE_NAMES, EdgeStatus, computed_cutoffs
 from hardcontact.inference.scan_parts import IntervalSource
 from hardcontact.report.own_surfaces.datasets import (
     Datasets,
@@ -16,7 +16,7 @@ from hardcontact.report.own_surfaces.datasets import (
     overlaps_any,
     unreliable_bands,
 )
-from hardcontact.report.quantities import EDGE_NAMES, OPEN_WORDS, NoValue, number_without_value
+from hardcontact.report.quantities import OPEN_WORDS, NoValue, number_without_value
 from hardcontact.scans.both_bodies import sphere_share
 from hardcontact.scans.reliable_band import MIN_PIXELS
 from hardcontact.surfaces.synthesis import SIDES

@@ -12,13 +12,13 @@ from hardcontact.base.statistics import interval_ends, percentile_interval
 from hardcontact.config.configuration import numeric_configuration
 from hardcontact.contact.contact import PLASTIC, RIGID
 from hardcontact.contact.numerical_limits import SHORT_ADHESION_RANGE
-from hardcontact.inference.edges import MEAN_GROUP, EdgeStatus, edges_or_bounds
+from hardcontact.inference.edges import EDGE_NAMES, MEAN_GROUP, EdgeStatus, edges_or_bounds
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.octaves import strongest_octaves
 from hardcontact.paper.changed_inputs import changed_inputs, contact_inputs
 from hardcontact.paper.claims.verdicts import count_verdicts, find_open_end, interval_with_sets
 from hardcontact.report.paper_study.tables import claim_facts
-from hardcontact.report.quantities import EDGE_NAMES, all_quantities, number_of
+from hardcontact.report.quantities import all_quantities, number_of
 from hardcontact.report.templates import render_lines, render_note, substitutes_note
 
 #: Claims with numbers in the answer, by the names of these numbers.
