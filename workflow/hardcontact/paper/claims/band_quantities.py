@@ -61,7 +61,7 @@ def change_inside_band(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
 
 
 def short_cutoff_change(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
-    """Return the largest change by short cutoffs up to the published transition (group)."""
+    """Return the largest change by short cutoffs that remove only artificial waves (group)."""
     is_artificial = edges["cutoff_wavelength"] <= paper["short_transition_wavelength"]
     return _largest_change(edges, is_artificial).sel(side="short", drop=True)
 
@@ -121,7 +121,7 @@ def interaction_radius(paper: xr.Dataset) -> xr.Dataset:
 
 
 def interaction_radius_at_fit(fit: xr.Dataset) -> xr.Dataset:
-    """Return the interaction radius in nm of the study at the fitted range (contact_model)."""
+    """Return the interaction radius in nm of the sphere at the fitted range (contact_model)."""
     diameter = 2 * fit.attrs["sphere_radius"]
     squared_radius: xr.Dataset = diameter * variable_estimate(fit, "range_of_adhesion")
     return squared_radius.map(np.sqrt)

@@ -30,12 +30,12 @@ def slope_growth(topography: xr.Dataset) -> xr.Dataset:
 
 
 def slope_growth_over_height_growth(topography: xr.Dataset) -> xr.Dataset:
-    """Return how much more rms slope than height grows from AFM to all scales (surface)."""
+    """Return the growth of rms slope from AFM to all scales, over the height's (surface)."""
     return quotient(_all_over_afm(topography, "slope"), _all_over_afm(topography, "height"))
 
 
 def curvature_growth_over_height_growth(topography: xr.Dataset) -> xr.Dataset:
-    """Return how much more rms curvature than height grows from AFM to all scales (surface)."""
+    """Return the growth of rms curvature from AFM to all scales, over the height's (surface)."""
     return quotient(_all_over_afm(topography, "curvature"), _all_over_afm(topography, "height"))
 
 
@@ -59,10 +59,10 @@ def plastic_contact_area(adhesion: xr.Dataset) -> xr.Dataset:
 
 def share_of_two_asperities(asperities: xr.Dataset) -> xr.Dataset:
     """Return the share of the force that the two strongest asperities carry (surface, rho)."""
-    share = variable_estimate(asperities, "two_largest_share")
-    low, high = interval_ends(share, "value")
+    estimate = variable_estimate(asperities, "two_largest_share")
+    low, high = interval_ends(estimate, "value")
     # All asperities together carry the attribute `share`.
-    return as_estimate(share["value"], low, high.clip(max=asperities.attrs["share"]))
+    return as_estimate(estimate["value"], low, high.clip(max=asperities.attrs["share"]))
 
 
 def elastic_change(elastic: xr.Dataset) -> xr.Dataset:

@@ -1,6 +1,6 @@
 """Estimates, which are values with intervals, and their arithmetic, for claims of the paper.
 
-An estimate is a dataset of `value` and `value_interval`, which is NaN if no interval is known.
+An estimate is a dataset of `value` (...) and `value_interval` (..., end), NaN if not known.
 """
 
 import numpy as np
@@ -20,7 +20,7 @@ def as_estimate(
     value: xr.DataArray, low: xr.DataArray | float = np.nan, high: xr.DataArray | float = np.nan
 ) -> xr.Dataset:
     """Return values and the ends of their intervals as an estimate; NaN for no interval."""
-    zero = xr.zeros_like(value)  # gives an end that is a number the dimensions of the values
+    zero = xr.zeros_like(value)  # adds the dimensions of the values to ends that are numbers
     return xr.Dataset({"value": value, "value_interval": join_ends(zero + low, zero + high)})
 
 

@@ -55,7 +55,7 @@ def range_exponent_of_area(adhesion: xr.Dataset) -> xr.Dataset:
 
 
 def shortest_range_force_over_minimum(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the mean force at the shortest range, relative to the smallest at any range."""
+    """Return the force at the shortest range over the smallest at any (surface, contact_model)."""
     mean = mean_over_contacts(adhesion["pull_off_force"]).sortby("rho")
     ratio = mean.isel(rho=0, drop=True) / mean.min("rho")
     return mean_over_scans(ratio, adhesion.attrs["confidence"])
@@ -124,7 +124,7 @@ def force_decades(adhesion: xr.Dataset) -> xr.Dataset:
 
 
 def _force_statistic(adhesion: xr.Dataset, statistic: Callable[[Floats], float]) -> xr.Dataset:
-    """Return a statistic of all forces (n,) at the reference range; it has no interval."""
+    """Return a statistic of all forces (n,) at the reference range (surface, contact_model)."""
     forces = _forces_at_reference(adhesion)
     return as_estimate(
         xr.apply_ufunc(
@@ -207,12 +207,12 @@ def printed_effective_work(classical: xr.Dataset) -> xr.Dataset:
 
 
 def tabor_by_convention(classical: xr.Dataset) -> xr.Dataset:
-    """Return the Tabor parameter (); its interval reaches to K = 4 E*/3 (departures.md, 5)."""
+    """Return the Tabor parameter (); its interval reaches to (4RW²/K²z0³)^⅓ (departures.md, 5)."""
     tabor = classical["tabor_parameter"]
     return as_estimate(tabor, tabor, (9 / 4) ** (1 / 3) * tabor)
 
 
 def classical_over_numerical(classical: xr.Dataset, fit: xr.Dataset) -> xr.Dataset:
-    """Return the error of classical models relative to the error of the fit."""
+    """Return the error of each classical model relative to the fit of each contact model."""
     classical_error = variable_estimate(classical, "mean_relative_error")
     return quotient(classical_error, variable_estimate(fit, "best_error"))

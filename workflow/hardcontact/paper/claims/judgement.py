@@ -29,7 +29,7 @@ from hardcontact.paper.claims.verdicts import (
     JUDGED_COLUMNS,
     accepted_range,
     find_open_end,
-    interval_with_sets,
+    interval_with_samples,
     samples_vary,
 )
 from hardcontact.surfaces.metrics import TABLE1_VARIABLES
@@ -46,7 +46,7 @@ DERIVED_QUANTITIES: dict[str, Callable[..., xr.Dataset]] = {
 def claim_values(
     claims: pd.DataFrame, datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame
 ) -> xr.DataArray:
-    """Return the values (set, claim) of all claims in datasets of sets; NaN if there is none."""
+    """Return the value (set, claim) of each claim in datasets of sets; NaN without a value."""
     values = {
         claim.id: np.nan if result is None else result.estimate["value"].reset_coords(drop=True)
         # Without a confidence, values have no intervals.
@@ -99,18 +99,18 @@ def _estimate_claims(
     constants: pd.DataFrame,
     confidence: float,
 ) -> Iterator[tuple[Claim, _ClaimResult | None]]:
-    """Yield each claim and its estimate, None if the datasets lack a label."""
-    complete = {"paper": xr.Dataset(constants["value"].to_dict())}
+    """Yield each claim and its estimate, None if the datasets lack a selected label."""
+    all_datasets = {"paper": xr.Dataset(constants["value"].to_dict())}
     for name, dataset in datasets.items():
-        complete[name] = dataset.assign_attrs(confidence=confidence)
+        all_datasets[name] = dataset.assign_attrs(confidence=confidence)
         # A dataset of a single surface names it in an attribute.
         if "surface" not in dataset.dims and "surface" in dataset.attrs:
-            complete[name] = complete[name].expand_dims(surface=[dataset.attrs["surface"]])
+            all_datasets[name] = all_datasets[name].expand_dims(surface=[dataset.attrs["surface"]])
     estimates: dict[tuple[str, str], xr.Dataset] = {}
     claim: Claim
     for claim in claims.itertuples(index=False):
         with _prefix_errors(claim):
-            claim_datasets = {name: complete[name] for name in claim.dataset.split("+")}
+            claim_datasets = {name: all_datasets[name] for name in claim.dataset.split("+")}
             key = claim.dataset, claim.quantity
             if key not in estimates:
                 estimates[key] = _estimate_quantity(claim.quantity, *claim_datasets.values())
@@ -148,9 +148,9 @@ def _judge(
     value = float(result.estimate["value"])
     samples = _claim_samples(claim, result, sets)
     ends = interval_ends(result.estimate, "value")
-    low, high = interval_with_sets(value, ends, samples, confidence)
+    low, high = interval_with_samples(value, ends, samples, confidence)
     if claim.needs in WITHOUT_SCAN and np.isnan(low):
-        low = high = value
+        low = high = value  # because without scans nothing scatters
     accepted = accepted_range(claim.rule, claim.published_low, claim.published_high)
     if claim.samples_from == "posterior":
         verdict = accepted.verdict_of_posterior(samples, low, high)
@@ -160,7 +160,7 @@ def _judge(
         verdict = accepted.verdict(value, low, high)
     open_end = ""
     if claim.dataset == "edges" and claim.unit == "nm":  # an edge of the band
-        # Labels are groups of lists: this is the only label of the only group.
+        # One group of one label.
         ((side,),) = result.labels["side"]
         open_end = find_open_end(side, value, low, high, [result.datasets["edges"], sets])
     return {

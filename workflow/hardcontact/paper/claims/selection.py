@@ -34,9 +34,9 @@ Claim = Any
 SelectedLabels = Mapping[str, list[list[Any]]]
 #: Words in the column `needs` for a claim that needs no scan; they are also its basis.
 WITHOUT_SCAN = ("no scan", "no scan; assumed asperities")
-#: Quantities of Table 1 that depend on the size of a pixel.
+#: Quantities that depend on the size of a pixel, and are compared with numbers of Table 1.
 PIXEL_QUANTITIES = ("afm_rms_slope", "afm_rms_curvature", "slope_growth")
-#: Why these quantities are not testable on larger pixels.
+#: Why PIXEL_QUANTITIES are not testable on larger pixels.
 LARGER_PIXELS = "It depends on the size of a pixel, which is larger than the paper's."
 
 
@@ -84,7 +84,7 @@ def select_estimate(estimate: xr.Dataset, labels: SelectedLabels, rule: str) -> 
             f"{', '.join(map(str, remaining))}"
         )
     worst = estimate.max(remaining) if rule == "below" else estimate.min(remaining)
-    # Missing values do not count. If another value lacks an interval, it may be the worst one.
+    # Missing values do not count. Any other value may be the worst, so each must have an interval.
     has_interval = estimate["value_interval"].notnull().all("end") | estimate["value"].isnull()
     return worst.assign(value_interval=worst["value_interval"].where(has_interval.all(remaining)))
 
@@ -104,7 +104,7 @@ def claim_surfaces(
     """Return the names of the surfaces on which a claim depends.
 
     They are those that the claim selects, or all of its first dataset if it selects none, and the
-    sphere, unless the claim is about topography alone.
+    sphere, unless `topography` is its only dataset. A claim without scans depends on none.
     """
     if claim.needs in WITHOUT_SCAN:
         return []
@@ -138,12 +138,12 @@ def fixed_verdict(
     is_substitute = selected["source"].values == "substitute"
     if claim.needs == "measured" and is_substitute.any():
         return UNTESTABLE, "The substitute scans decide this."
-    rows_met = selected["table1_rows_met"].values
-    is_met = [claim.quantity in str(rows).split(",") for rows in rows_met]
+    is_met = [claim.quantity in str(rows).split(",") for rows in selected["table1_rows_met"].values]
     if surfaces and np.logical_and(is_substitute, is_met).all():
         return BY_CONSTRUCTION, "The substitute scans of the study are made to meet this."
     if claim.quantity in PIXEL_QUANTITIES:
-        published_size = constants["value"]["scan_size"] / constants["value"]["scan_pixels"]
-        if topography["pixel_size"].max() > 1.01 * published_size:
+        published_pixel = constants["value"]["scan_size"] / constants["value"]["scan_pixels"]
+        # Sizes within 1 % count as equal, because they may be rounded.
+        if topography["pixel_size"].max() > 1.01 * published_pixel:
             return UNTESTABLE, LARGER_PIXELS
     return "", ""

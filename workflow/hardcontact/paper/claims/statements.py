@@ -21,14 +21,14 @@ from hardcontact.paper.claims.selection import LABELS, split_selection
 from hardcontact.paper.claims.verdicts import accepted_range
 from hardcontact.surfaces.metrics import TABLE1_VARIABLES
 
-#: By the source of samples, `samples_from`: the datasets of the claims that may have these samples.
+#: Datasets of the claims that may have samples, by the source of the samples (`samples_from`).
 SAMPLED_DATASETS = {
     "sets": {"topography", "adhesion", "fit", "edges", "paper"}, "posterior": {"posterior"},
 }  # fmt: skip
 
 
 class ClaimRow(Keys):
-    """A row of the table of statements."""
+    """A claim: a row of the table of statements."""
 
     id: Annotated[str, Matching("[a-z0-9_]+", "a name")]
     main: Annotated[str, Matching("([1-9][0-9]*)?", "the rank of a main statement or nothing")]
@@ -63,32 +63,33 @@ class ClaimRow(Keys):
     def _quantity_faults(self) -> list[str]:
         """Return the faults of the datasets, or else of the quantity and of its samples."""
         datasets = self.dataset.split("+")
-        accepted = "datasets of workflow/report/variables.tsv, with + between"
-        if faults := [*_word_faults("dataset", datasets, _known_datasets(), accepted)]:
+        accepted_datasets = "datasets of workflow/report/variables.tsv, with + between"
+        if faults := [*_word_faults("dataset", datasets, _known_datasets(), accepted_datasets)]:
             return faults
         quantities = {*DERIVED_QUANTITIES, *TABLE1_VARIABLES, *read_meanings(datasets[0])}
-        files = "workflow/hardcontact/paper/claims or a variable of workflow/report/variables.tsv"
+        folder = "workflow/hardcontact/paper/claims"
+        accepted_quantity = f"a function of {folder} or a variable of workflow/report/variables.tsv"
         sources = [name for name, names in SAMPLED_DATASETS.items() if names >= {*datasets}]
-        accepted = f"{' or '.join(['nothing', *sources])} for the dataset {self.dataset}"
+        accepted_sources = f"{' or '.join(['nothing', *sources])} for the dataset {self.dataset}"
         return [
-            *_word_faults("quantity", [self.quantity], quantities, f"a function of {files}"),
-            *_word_faults("samples_from", [self.samples_from], ["", *sources], accepted),
+            *_word_faults("quantity", [self.quantity], quantities, accepted_quantity),
+            *_word_faults("samples_from", [self.samples_from], ["", *sources], accepted_sources),
         ]
 
     def _selection_faults(self) -> Iterator[str]:
         """Yield a fault of each dimension and label that no study has."""
         for dimension, groups in split_selection(self.select).items():
-            words = [*chain.from_iterable(groups)]
-            labels = LABELS.get(dimension)
-            if labels is None:
+            labels = [*chain.from_iterable(groups)]
+            known_labels = LABELS.get(dimension)
+            if known_labels is None:
                 accepted = f"one of {', '.join(LABELS)}"
                 yield from _word_faults("select", [dimension], LABELS, accepted)
-            elif labels:
-                accepted = f"{dimension}, one of {', '.join(labels)}"
-                yield from _word_faults("select", words, labels, accepted)
+            elif known_labels:
+                accepted = f"{dimension}, one of {', '.join(known_labels)}"
+                yield from _word_faults("select", labels, known_labels, accepted)
             else:
-                numbers = [word for word in words if not math.isnan(parse_number(word))]
-                yield from _word_faults("select", words, numbers, f"{dimension} as a number")
+                numbers = [label for label in labels if not math.isnan(parse_number(label))]
+                yield from _word_faults("select", labels, numbers, f"{dimension} as a number")
 
 
 def _word_faults(
@@ -103,8 +104,9 @@ def _word_faults(
 
 @cache
 def _known_datasets() -> set[str]:
-    """Return the names of the datasets that a claim may name; edges.nc has no own variables."""
+    """Return the names of the datasets that a claim may name."""
     table = pd.read_csv(MEANINGS, sep="\t", usecols=["dataset"], quoting=csv.QUOTE_NONE)
+    # All variables of edges.nc stand under `*`, variables of several datasets.
     return {*table["dataset"], "edges", "paper"} - {"*"}
 
 
@@ -132,7 +134,7 @@ def read_claims(path: str | Path) -> pd.DataFrame:
 
 
 def claims_of_sets(path: str | Path) -> list[dict[Any, Any]]:
-    """Return the columns that determine the values of the claims that sets.nc has."""
+    """Return, for each value of sets.nc, the columns of its claim that determine it."""
     table = read_claims(path)
     columns = ["id", "dataset", "quantity", "select", "rule"]
     return table.loc[table["samples_from"] == "sets", columns].to_dict("records")

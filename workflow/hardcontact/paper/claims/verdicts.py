@@ -27,7 +27,7 @@ VERDICTS = (REPRODUCED, AGREES, UNDECIDED, NOT_REPRODUCED, BY_CONSTRUCTION, UNTE
 #: `order` is `above` for the smallest ratio of neighbours in a published ranking.
 ONE_SIDED = ("below", "above", "order")
 #: Share of all possible sets that must agree with a statement, or disagree, and share of the
-#: posterior that must agree: the usual confidence.
+#: posterior that must agree: the usual 95 %.
 REPRODUCED_SHARE = 0.95
 #: Columns of the claims.csv of a study. `evidence` says where the limits of the paper come from,
 #: `basis` on which scans the computed number rests, `open_end` comes from `find_open_end`.
@@ -66,7 +66,7 @@ class AcceptedRange:
         if self.accepts(samples).mean() >= REPRODUCED_SHARE:
             return REPRODUCED
         # The interval alone decides about a rejection, because few samples agree if the accepted
-        # range is narrow. Its low end stands for the number.
+        # range is narrow. `verdict` needs no number besides an interval, so `low` stands for it.
         return NOT_REPRODUCED if self.verdict(low, low, high) == NOT_REPRODUCED else UNDECIDED
 
     def verdict(self, computed: float, low: float, high: float) -> str:
@@ -88,11 +88,11 @@ def accepted_range(rule: str, published_low: float, published_high: float) -> Ac
     The rule is ``interval``, ``factor`` and a number, ``below``, ``above`` or ``order``. Raises
     ValueError if it is unknown, or needs a limit that is missing.
     """
-    factor = rule.removeprefix("factor ")
     if rule == "interval":
         limits = published_low, published_high
     elif re.fullmatch(r"factor \d+(\.\d+)?", rule):
-        limits = published_low / float(factor), published_high * float(factor)
+        factor = float(rule.removeprefix("factor "))
+        limits = published_low / factor, published_high * factor
     elif rule == "below":
         limits = -np.inf, published_high
     elif rule in ("above", "order"):
@@ -118,9 +118,9 @@ def sets_needed(set_count: int, confidence: float) -> int:
 
 
 def sets_interval(samples: Floats, confidence: float) -> Floats:
-    """Return the central intervals (..., 2) of numbers (set, ...); NaN if too many are missing."""
-    enough = np.isfinite(samples).sum(axis=0) >= confidence * len(samples)
-    return np.where(enough[..., None], percentile_interval(samples, confidence), np.nan)
+    """Return the central intervals (..., 2) of numbers (set, ...); NaN if too few are finite."""
+    are_enough = np.isfinite(samples).sum(axis=0) >= confidence * len(samples)
+    return np.where(are_enough[..., None], percentile_interval(samples, confidence), np.nan)
 
 
 def stretch_interval(ends: ArrayLike, value: ArrayLike) -> tuple[Floats, Floats]:
@@ -133,16 +133,16 @@ def stretch_interval(ends: ArrayLike, value: ArrayLike) -> tuple[Floats, Floats]
 
 
 def samples_vary(samples: Floats) -> bool:
-    """Return whether the numbers (set,) of the sets differ; NaN does not count."""
+    """Return whether the finite numbers among samples (n,) differ."""
     return len(np.unique(samples[np.isfinite(samples)])) > 1
 
 
-def interval_with_sets(
+def interval_with_samples(
     value: float, interval: tuple[ArrayLike, ArrayLike], samples: Floats, confidence: float
 ) -> tuple[float, float]:
     """Return both ends of the interval of a number, stretched to contain it.
 
-    The interval is that of the samples (set,) if they vary, otherwise the number's own.
+    The interval is that of the samples (n,) if they vary, otherwise the number's own.
     """
     ends = sets_interval(samples, confidence) if samples_vary(samples) else np.array(interval)
     low, high = stretch_interval(ends, value)
@@ -155,8 +155,8 @@ def read_judged_claims(path: str | Path) -> pd.DataFrame:
         raise ValueError(
             f"{path}: expected a complete table, found a part of it; delete it and run again"
         )
-    text = dict.fromkeys(["main", "open_end", "unit", "follows_from", "note", "verdict"], str)
-    return pd.read_csv(path, dtype=text).fillna(dict.fromkeys(text, ""))
+    texts = ["main", "open_end", "unit", "follows_from", "note", "verdict"]  # which may be blank
+    return pd.read_csv(path, dtype=dict.fromkeys(texts, str)).fillna(dict.fromkeys(texts, ""))
 
 
 def find_open_end(

@@ -24,7 +24,7 @@ RATIO_BAR_OPACITY = 0.45  # many opaque bars would hide the symbols
 MAX_AXIS_OVER_BAR = 2.0
 #: Of arrows at the ends of the axis, where it cuts intervals.
 CUT_LOOK: Look = {"color": "0.25", "ms": 3.5, "mew": 0, "clip_on": False, "zorder": 4}
-#: Share of the sets of substitutes between `low` and `high`: the middle of all sets.
+#: Share of the sets of substitutes that Fig. 4 shades, around their median. No verdict uses it.
 SHARE_OF_SETS = 0.9
 
 

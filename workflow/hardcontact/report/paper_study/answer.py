@@ -16,7 +16,7 @@ from hardcontact.inference.edges import EDGE_NAMES, MEAN_GROUP, EdgeStatus, edge
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.octaves import strongest_octaves
 from hardcontact.paper.changed_inputs import changed_inputs, contact_inputs
-from hardcontact.paper.claims.verdicts import count_verdicts, find_open_end, interval_with_sets
+from hardcontact.paper.claims.verdicts import count_verdicts, find_open_end, interval_with_samples
 from hardcontact.report.paper_study.tables import claim_facts
 from hardcontact.report.quantities import all_quantities, number_of
 from hardcontact.report.templates import render_lines, render_note, substitutes_note
@@ -180,7 +180,7 @@ def _surface_numbers(surface: str, datasets: Mapping[str, xr.Dataset]) -> dict[s
         value = edges_or_bounds(edges).sel(selection).item()
         set_values = edges_or_bounds(sets).sel(selection).values
         interval = interval_ends(edges.sel(selection), "edge")
-        low, high = interval_with_sets(value, interval, set_values, edges.attrs["confidence"])
+        low, high = interval_with_samples(value, interval, set_values, edges.attrs["confidence"])
         status = _interval_status(find_open_end(side, value, low, high, [edges, sets]))
         source = _edge_source(datasets["filtered_forces"], side, value)
         numbers[name] = Number(name, value, "nm", low, high, status, source)
