@@ -6,11 +6,12 @@ import xarray as xr
 from intervals import between_multiples
 from paper_numbers import LABELS, SUBSTRATES, TABLE1
 
+#: Cutoffs of both sides in nm.
 CUTOFFS = {
     "short": [20.0, 30, 36, 43, 52, 62, 80, 120, 250],
     "long": [500.0, 800, 1100, 1400, 1600, 1800, 2000, 2300, 2700, 3500],
 }
-SETS = 100
+SET_COUNT = 100
 
 
 def published_table1() -> pd.DataFrame:
@@ -55,7 +56,7 @@ def topography(pixels: int = 512) -> xr.Dataset:
 
 
 def band() -> xr.Dataset:
-    """Return a band with both edges of all substrates, changes NaN where a side has no cutoff."""
+    """Return both edges of each group, and changes of 0.1 at the cutoffs of each side."""
     cutoffs = np.concatenate(list(CUTOFFS.values()))
     is_computed = np.array([np.isin(cutoffs, side_cutoffs) for side_cutoffs in CUTOFFS.values()])
     groups = [*SUBSTRATES, "mean"]
@@ -107,14 +108,14 @@ def edge_shifts() -> xr.Dataset:
 
 def sets() -> xr.Dataset:
     """Return sets with fewer cutoffs, whose ranges lie on either side of 5 nm, as the study's."""
-    scatter = np.random.default_rng(1).lognormal(0, 0.1, (SETS, 2))
+    scatter = np.random.default_rng(1).lognormal(0, 0.1, (SET_COUNT, 2))
     # 58 of 100 sets have a long range, as in resources/adhesion/pairs.csv.
-    ranges = np.where(np.arange(SETS) < 58, 9.0, 1.3)[:, None] * scatter
+    ranges = np.where(np.arange(SET_COUNT) < 58, 9.0, 1.3)[:, None] * scatter
     fits = ("set", "contact_model")
     # Fits without each surface, which spread least without the first.
     spread = np.array([0.3, 0.9, 0.9, 0.9])[:, None, None]
-    scatter_without = np.random.default_rng(2).lognormal(0, spread, (len(SUBSTRATES), SETS, 2))
-    edges = xr.DataArray(np.linspace(0.9, 1.3, SETS), dims="set")
+    scatter_without = np.random.default_rng(2).lognormal(0, spread, (len(SUBSTRATES), SET_COUNT, 2))
+    edge_factor = xr.DataArray(np.linspace(0.9, 1.3, SET_COUNT), dims="set")
     return xr.Dataset(
         {
             "range_of_adhesion": (fits, ranges),
@@ -122,8 +123,8 @@ def sets() -> xr.Dataset:
             "filtered_force_change": band()["filtered_force_change"].isel(
                 cutoff_wavelength=slice(1, -1)
             ),
-            "edge": edges * band()["edge"],
-            "edge_bound": edges * band()["edge_bound"],
+            "edge": edge_factor * band()["edge"],
+            "edge_bound": edge_factor * band()["edge_bound"],
             "range_without_surface": (("left_out", *fits), 5.6 * scatter_without),
             "work_without_surface": (("left_out", *fits), 0.046 / scatter_without),
         },

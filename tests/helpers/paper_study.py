@@ -67,11 +67,11 @@ def datasets(contacts=20, pixels=512):
     }
 
 
-def answer(rows=None, configuration=PAPER, **changed):
+def answer(judged_claims=None, configuration=PAPER, **changed_datasets):
     """Return answer.json of the study, from other claims or datasets if given."""
     content = paper_answer(
-        claims() if rows is None else rows,
-        datasets() | changed,
+        claims() if judged_claims is None else judged_claims,
+        datasets() | changed_datasets,
         constants=CONSTANTS,
         table1=published_table1(),
         configuration=configuration,
@@ -81,7 +81,7 @@ def answer(rows=None, configuration=PAPER, **changed):
 
 
 def svg(colour):
-    """Return a picture of one colour."""
+    """Return a picture of one colour, as bytes."""
     return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 6" fill="{colour}"/>'.encode()
 
 
@@ -98,10 +98,10 @@ def captions():
     }
 
 
-def make_page(rows=None, configuration=PAPER, **changed):
+def make_page(judged_claims=None, configuration=PAPER):
     """Return the page of the answer."""
-    content = answer(rows, configuration, **changed)
-    table = claims() if rows is None else rows
+    content = answer(judged_claims, configuration)
+    table = claims() if judged_claims is None else judged_claims
     return paper_page(content, table, figures(), captions(), CITATION, FRAME)
 
 

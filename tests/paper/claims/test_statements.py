@@ -1,4 +1,4 @@
-"""Statements of the paper are checked before a job removes verdicts that were good."""
+"""Faults in the table of statements are refused before a run."""
 
 import pandas as pd
 import pytest

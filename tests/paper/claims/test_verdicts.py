@@ -54,6 +54,7 @@ def test_one_limit_is_judged_like_two_with_one_far_away(number, ends, judgement)
     assert verdict("order", 4.0, nan) == lower_verdict
 
 
+# If all agree, 72 sets decide, but 71 do not: 0.95^71 > 0.025 > 0.95^72.
 @pytest.mark.parametrize("set_count", [71, 72, 100])
 def test_sets_decide_if_the_exact_interval_of_their_share_does(set_count):
     accepted = accepted_range("above", 0.0, nan)
@@ -66,8 +67,8 @@ def test_sets_decide_if_the_exact_interval_of_their_share_does(set_count):
 
 
 def test_a_factor_widens_both_limits():
-    accepted = accepted_range("factor 2", 4.0, 6.0).accepts([1.9, 2.0, 12.0, 12.1])
-    assert accepted.tolist() == [False, True, True, False]
+    is_accepted = accepted_range("factor 2", 4.0, 6.0).accepts([1.9, 2.0, 12.0, 12.1])
+    assert is_accepted.tolist() == [False, True, True, False]
 
 
 @pytest.mark.parametrize("rule", ["close", "factor", "factor x", "interval 2", "", "below"])
