@@ -107,12 +107,11 @@ def edge_shifts() -> xr.Dataset:
 
 
 def sets() -> xr.Dataset:
-    """Return sets with fewer cutoffs, whose ranges lie on either side of 5 nm, as the study's."""
+    """Return sets with fewer cutoffs than `band`; 58 % have ranges above 5 nm, others below."""
     scatter = np.random.default_rng(1).lognormal(0, 0.1, (SET_COUNT, 2))
-    # 58 of 100 sets have a long range, as in resources/adhesion/pairs.csv.
     ranges = np.where(np.arange(SET_COUNT) < 58, 9.0, 1.3)[:, None] * scatter
     fits = ("set", "contact_model")
-    # Fits without each surface, which spread least without the first.
+    # The standard deviation of ln(range) without each surface is least without the first.
     spread = np.array([0.3, 0.9, 0.9, 0.9])[:, None, None]
     scatter_without = np.random.default_rng(2).lognormal(0, spread, (len(SUBSTRATES), SET_COUNT, 2))
     edge_factor = xr.DataArray(np.linspace(0.9, 1.3, SET_COUNT), dims="set")

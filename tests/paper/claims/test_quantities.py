@@ -92,25 +92,25 @@ def test_elastic_contact_is_compared_with_rigid_and_plastic_contact():
 
 def test_waves_of_a_sphere_s_slope_have_its_mean_pressure():
     """The mean of (r/R)² over a disc of radius a is a²/2R²; Hertz: the pressure 4 E* a/(3 pi R)."""
-    modulus, ratio = 289.7e9, 0.1
+    modulus, contact_over_sphere = 289.7e9, 0.1  # E* in Pa, a/R
     topography = xr.Dataset(
-        {"all_scales_rms_gradient": ("surface", [ratio / np.sqrt(2), 9.0])},
+        {"all_scales_rms_gradient": ("surface", [contact_over_sphere / np.sqrt(2), 9.0])},
         {"surface": ["mcd", "ruby"]},
     )
     attributes = {"effective_modulus": modulus, "hardness": 25e9}
     elastic = xr.Dataset(coords={"surface": ["mcd"]}, attrs=attributes)
-    pressure = 4 * modulus * ratio / (3 * np.pi)
+    pressure = 4 * modulus * contact_over_sphere / (3 * np.pi)
     pressure_ratio = contact_quantities.elastic_pressure_over_hardness(topography, elastic)
     assert_value(pressure_ratio, pressure / 25e9)
 
 
 def test_one_wave_has_the_deformation_energy_in_closed_form():
     """A wave of the amplitude h has E* q h²/8; many waves of this length have the same sum."""
-    q, height, modulus, work = 0.02, 3.0, 289.7e9, 0.0463
+    q, rms_height, modulus, work = 0.02, 3.0, 289.7e9, 0.0463
     wavevector = np.linspace(0.0199, 0.0201, 201)
     width = wavevector[1] - wavevector[0]
     spectrum = np.zeros((2, 1, 201))
-    spectrum[0, 0, 100] = 2 * np.pi * height**2 / (q * width)  # h_rms² = 1/2π ∫ q C dq
+    spectrum[0, 0, 100] = 2 * np.pi * rms_height**2 / (q * width)  # h_rms² = 1/2π ∫ q C dq
     topography = xr.Dataset(
         {"isotropic_psd": (("surface", "scan", "wavevector"), spectrum)},
         {"surface": ["mcd", "unknown"], "wavevector": wavevector},
@@ -119,7 +119,7 @@ def test_one_wave_has_the_deformation_energy_in_closed_form():
         coords={"surface": ["mcd", "unknown"]},
         attrs={"effective_modulus": modulus, "work_of_adhesion": work, "confidence": 0.95},
     )
-    amplitude = np.sqrt(2) * height
+    amplitude = np.sqrt(2) * rms_height
     energy = modulus * q * 1e9 * (amplitude * 1e-9) ** 2 / 8
     ratio = contact_quantities.deformation_over_adhesion(topography, elastic)
     assert_value(ratio, [energy / work, np.nan])

@@ -24,6 +24,7 @@ def test_the_statements_of_the_paper_are_accepted():
     check_claims(ROOT / CLAIMS)
 
 
+#: Columns that accept a stray character.
 TEXTS = ["section", "statement", "number", "unit", "note"]
 
 

@@ -64,8 +64,8 @@ def judge_claims(
 ) -> pd.DataFrame:
     """Return one row for each claim, with JUDGED_COLUMNS.
 
-    A claim about a surface or another label that the study lacks is left out. Raises ValueError if
-    a dataset, a variable or an attribute is missing.
+    A claim about a surface or another label that the study lacks is left out. Raises ValueError
+    with the claim's id if anything else is missing.
     """
     topography = datasets["topography"]
     rows = []
@@ -74,11 +74,11 @@ def judge_claims(
             continue
         with _prefix_errors(claim):
             surfaces = claim_surfaces(claim, result.datasets, result.labels, topography)
-            fixed, reason = fixed_verdict(claim, surfaces, topography, constants)
+            verdict, reason = fixed_verdict(claim, surfaces, topography, constants)
             judgement = _judge(claim, result, sets, confidence)
         no_value = "No value exists." if np.isnan(judgement["computed"]) else ""
         row = claim._asdict() | judgement
-        row["verdict"] = fixed or row["verdict"]
+        row["verdict"] = verdict or judgement["verdict"]
         row["basis"] = claim_basis(claim, surfaces, topography)
         row["note"] = " ".join(filter(None, (claim.note, reason, no_value)))
         rows.append(row)

@@ -141,6 +141,6 @@ def claims_of_sets(path: str | Path) -> list[dict[Any, Any]]:
 
 
 def datasets_of_claims(path: str | Path) -> list[str]:
-    """Return the names of the datasets that claims need, in alphabetical order."""
+    """Return the sorted names of the datasets other than `paper` that claims need."""
     names = read_claims(path)["dataset"].str.split("+").explode()
     return sorted({*names} - {"paper"})

@@ -162,7 +162,7 @@ def read_judged_claims(path: str | Path) -> pd.DataFrame:
 def find_open_end(
     side: str, value: float, low: float, high: float, edge_datasets: Sequence[xr.Dataset]
 ) -> str:
-    """Return ``"high"`` or ``"low"`` if this end of the interval of an edge (nm) is only a bound.
+    """Return which end of an edge's interval (nm) is only a bound: ``"high"``, ``"low"`` or ``""``.
 
     The search of an edge ends at the longest short cutoff, or at the shortest long cutoff. A bound
     is this cutoff of edges.nc or sets.nc, or a value beyond it.
