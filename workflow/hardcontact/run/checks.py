@@ -8,14 +8,7 @@ import numpy as np
 import pandas as pd
 
 from hardcontact.base import published
-from hardcontact.config.arguments import unit_question
-from hardcontact.config.configuration import (
-    CONTACT_QUANTITIES,
-    contact_words,
-    get_key,
-    is_paper_study,
-    reading_arguments,
-)
+from hardcontact.config.configuration import get_key, is_paper_study, reading_arguments
 from hardcontact.config.descriptions import refuse_description, refuse_in_own_study
 from hardcontact.config.faults import collect_faults, key_fault, raise_faults
 from hardcontact.config.force_table import read_forces
@@ -54,34 +47,25 @@ def check_study(study: dict[str, Any], table: pd.DataFrame) -> None:
     raise_faults(faults)
     with collect_faults(faults):
         refuse_unfit_values(study, extents)
-    if faults:
-        raise_faults([*_unusual_quantity_faults(study), *faults])
+    raise_faults(faults)
 
 
 def _substitute_faults(study: dict[str, Any], table: pd.DataFrame) -> list[str]:
     """Return the faults of descriptions of substitutes."""
     table1 = published.read_table1(published.PUBLISHED_TABLES["published_table1"])
-    rows_of_table1 = {str(name): set(rows.quantity) for name, rows in table1.groupby("surface")}
+    table1_quantities = {str(name): set(rows.quantity) for name, rows in table1.groupby("surface")}
     substitutes = table[table.source == "substitute"].drop_duplicates("surface")
     faults: list[str] = []
     for surface, path in zip(substitutes.surface, substitutes.path, strict=True):
         with collect_faults(faults):
-            refuse_description(path, rows_of_table1.get(surface, set()))
+            refuse_description(path, table1_quantities.get(surface, set()))
             if not is_paper_study(study):
-                refuse_in_own_study(path, surface, rows_of_table1)
+                refuse_in_own_study(path, surface, table1_quantities)
     return faults
 
 
-def _unusual_quantity_faults(study: dict[str, Any]) -> Iterator[str]:
-    """Yield a line for each quantity of the contact that is not usual and may cause a fault."""
-    for quantity, (key, name) in CONTACT_QUANTITIES.items():
-        if question := unit_question(quantity, get_key(study, key)):
-            words = f"{contact_words(study)[name]}: {question}"
-            yield key_fault(key, "a value that the scans permit", words)
-
-
 def _name_faults(study: dict[str, Any], key: str, surfaces: list[str]) -> list[str]:
-    """Return the fault of a key that names a surface that is not in the table."""
+    """Return the fault of a key whose value is not one of the surfaces."""
     if get_key(study, key) in surfaces:
         return []
     accepted = f"a surface of the table ({', '.join(surfaces)})"
@@ -111,7 +95,7 @@ def _paper_faults(study: dict[str, Any], table: pd.DataFrame) -> list[str]:
 
 
 def _substrate_faults(substrates: list[str]) -> Iterator[str]:
-    """Yield the faults of substrates whose forces cannot be compared with published ones."""
+    """Yield the faults of substrates without a published force, and of a single substrate."""
     pull_off_table = published.PUBLISHED_TABLES["published_pull_off"]
     published_surfaces = published.read_published_forces(pull_off_table).index
     unpublished = [surface for surface in substrates if surface not in published_surfaces]
@@ -155,9 +139,9 @@ def _own_surface_faults(study: dict[str, Any], table: pd.DataFrame) -> list[str]
 
 def load_or_read_scan(study: dict[str, Any], row: Any) -> HeightMap:
     """Return a measured scan of a row of the table, stored by the rule read_scan or read again."""
-    file = MEASUREMENT.format(surface=row.surface, scan=row.scan, digest="*")
+    pattern = MEASUREMENT.format(surface=row.surface, scan=row.scan, digest="*")
     arguments = reading_arguments(study) | {"dataset": row.dataset}
-    for stored_path in glob(f"{escape(study['store'])}/measurements/*/{file}"):
+    for stored_path in glob(f"{escape(study['store'])}/measurements/*/{pattern}"):
         if is_current(stored_path, arguments, row.path):
             return load_height_map(stored_path)
     return read_scan(row.path, **arguments)
@@ -189,7 +173,7 @@ def surface_extent(study: dict[str, Any], surface: str, rows: pd.DataFrame) -> E
 
 
 def _measured_extent(study: dict[str, Any], surface: str, rows: pd.DataFrame) -> Extent:
-    """Return the extent of the measured scans of a surface."""
+    """Return the extent of a measured surface's scans, with the largest relief of all."""
     extents: list[Extent] = []
     for row in rows.itertuples():
         scan = load_or_read_scan(study, row)
