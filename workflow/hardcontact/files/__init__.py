@@ -1,1 +1,1 @@
-"""The paths of a study, and the lists of files that rules ask for."""
+"""The paths of a study, the settings in their digests, and the chunks that jobs compute."""

@@ -36,7 +36,7 @@ class CandidateChunk(NamedTuple):
 
 
 class MasterForcesChunk(NamedTuple):
-    """The first and the last master whose forces one job computes; all fields are in the path."""
+    """The first and the last master of a chunk, and what else the path of their forces names."""
 
     purpose: str
     settings_digest: str
@@ -102,8 +102,8 @@ class Chunks:
         """Return the chunks of masters of a purpose: outputs of rule compute_filtered_forces."""
         count = get_key(self._study, PURPOSES[purpose].masters_key)
         spans = _spans(count, PURPOSES[purpose].masters_per_job)
-        sweep = self._files.patterns.settings[purpose]
-        loadings = [replace(self._plan.contact, **loading) for loading in sweep["loadings"]]
+        settings = self._files.patterns.settings[purpose]
+        contacts = [replace(self._plan.contact, **loading) for loading in settings["loadings"]]
         substrates = self._selection.substrates
         if PURPOSES[purpose].samples_spectra:  # only spectra of measured surfaces are sampled
             substrates = [name for name in substrates if name in self._selection.measured_surfaces]
@@ -115,16 +115,16 @@ class Chunks:
                 sphere_digest=self._sphere_digest(purpose, surface),
                 first=first,
                 last=last,
-                radii="+".join(f"R{path_token(radius, 'um')}" for radius in sweep["radii"]),
-                loadings="+".join(contact.loading_name for contact in loadings),
-                ranges="+".join(f"rho{path_token(rho, 'nm')}" for rho in sweep["ranges"]),
+                radii="+".join(f"R{path_token(radius, 'um')}" for radius in settings["radii"]),
+                loadings="+".join(contact.loading_name for contact in contacts),
+                ranges="+".join(f"rho{path_token(rho, 'nm')}" for rho in settings["ranges"]),
             )
             for surface in substrates
             for first, last in spans
         ]
 
     def _sphere_digest(self, purpose: str, surface: str) -> str:
-        """Return the digest of the sphere's scans, SMOOTH_SPHERE if masters have its roughness."""
+        """Return the sphere's digest, SMOOTH_SPHERE if the masters touch a smooth sphere."""
         is_rough = self._study["band"]["sphere_roughness"] and PURPOSES[purpose].rough_sphere
         if is_rough and surface not in self._plan.combined_surfaces:
             return self._selection.sphere_digest

@@ -8,8 +8,9 @@ from typing import Any
 from hardcontact.base.units import path_token
 from hardcontact.config.keys import SMOOTH_SPHERE
 from hardcontact.config.study_plan import StudyPlan
-from hardcontact.files.settings import PURPOSES, settings_digest, store_kinds
+from hardcontact.files.settings import PURPOSES, intermediates, settings_digest
 from hardcontact.surfaces.features import FEATURE_KINDS
+from hardcontact.surfaces.synthesis import SIDES
 
 _SURFACE = "{surface}/{digest}"
 #: The shape is what was subtracted from a scan besides a plane: nothing (flat) or the sphere.
@@ -24,11 +25,11 @@ class StorePatterns:
     """The paths of intermediates, with wildcards in braces where a rule makes several files.
 
     Paths have digests of all settings on which a file depends, and of the rows of its surface in
-    the table of surfaces, so that two studies share equal files, and others coexist.
+    the table of surfaces, so that two studies share equal files and keep different ones apart.
     """
 
     def __init__(self, plan: StudyPlan) -> None:
-        kinds = store_kinds(plan)
+        kinds = intermediates(plan)
         self.settings = {name: kind.settings for name, kind in kinds.items()}
         self.digests = {name: settings_digest(kinds, name) for name in kinds}
         store = plan.study["store"]
@@ -123,7 +124,7 @@ def wildcard_constraints(surfaces: Iterable[str]) -> dict[str, str]:
         "features": "|".join(FEATURE_KINDS),
         **{number: r"\d+" for number in ("scan", "first", "last", "realization")},
         "shape": f"flat|sphere-R{_NUMBER}um",
-        "side": "short|long",
+        "side": "|".join(SIDES),
         "radius": radius,
         "loading": loading,
         "rho": rho,
@@ -188,7 +189,7 @@ class SurfaceFiles:
 
     @property
     def first_sphere_scan_path(self) -> str:
-        """The path of the first scan of the sphere, which meets masters and changed scans."""
+        """The path of the sphere's first scan, mirrored; masters and changed scans touch it."""
         return self.mirrored_scan_paths(self.selection.sphere)[0]
 
     def contact_map_path(self, surface: str, scan: int) -> str:

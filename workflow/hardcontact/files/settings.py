@@ -29,9 +29,8 @@ MASTERS_PER_JOB = 5
 #: A real scan has waves longer than itself and does not continue at its borders; a larger surface
 #: would imitate this better, but takes more memory.
 RANDOM_SURFACE_WIDTH_RATIO = 4
-#: Bytes per pixel of a master when most memory is used, rounded: 13.2, measured at 8192² (three
-#: maps in float32, or one map's transform in single precision and two maps), and 4 of another map,
-#: which writing the file may need.
+#: Bytes per pixel of a master, rounded: 13.2, the maximum measured at 8192 x 8192 pixels, and 4 of
+#: another map, which writing the file may need.
 BYTES_PER_PIXEL = 17.0
 #: Megabytes of Python, its packages, the scan, and blocks of rows in double precision.
 BASE_MEGABYTES = 500
@@ -39,7 +38,7 @@ BASE_MEGABYTES = 500
 MINIMUM_MEGABYTES = 3000
 
 
-class StoreKind(NamedTuple):
+class Intermediate(NamedTuple):
     """A kind of intermediate: its settings, and the names of the kinds that it is made from."""
 
     settings: dict[str, Any]
@@ -55,8 +54,8 @@ class Purpose(NamedTuple):
     masters_per_job: int = MASTERS_PER_JOB
     masters_are_files: bool = False  #: Whether masters are files of the store.
     samples_spectra: bool = False  #: Whether each master has a sampled spectrum.
-    rough_sphere: bool = True  #: Whether a study with a rough sphere uses it here.
-    stream: str = "variant"  #: Name of the random stream: one for all masters of the sets.
+    rough_sphere: bool = True  #: Whether masters touch the rough sphere, if the study has one.
+    stream: str = "variant"  #: Name of the random numbers: several purposes may share them.
     sides: Sequence[str] = SIDES
     radii_key: str = "sphere.radius"  #: Key of the radius of the sphere, or of several radii.
     preload_shares: Sequence[float] = (1,)  #: Loads, relative to the preload of the study.
@@ -89,10 +88,10 @@ PURPOSES = {
 }  # fmt: skip
 
 
-def store_kinds(plan: StudyPlan) -> dict[str, StoreKind]:
+def intermediates(plan: StudyPlan) -> dict[str, Intermediate]:
     """Return the kinds of intermediates by name."""
     master_forces = {
-        name: StoreKind(
+        name: Intermediate(
             _master_force_settings(plan.study, purpose),
             ["masters" if purpose.masters_are_files else "both_bodies"],
         )
@@ -102,7 +101,7 @@ def store_kinds(plan: StudyPlan) -> dict[str, StoreKind]:
     return _surface_kinds(plan) | contacts | master_forces
 
 
-def _surface_kinds(plan: StudyPlan) -> dict[str, StoreKind]:
+def _surface_kinds(plan: StudyPlan) -> dict[str, Intermediate]:
     """Return the kinds of measurements, spectra, scans and masters."""
     study = plan.study
     seed = {"seed": study["seed"]}
@@ -113,25 +112,25 @@ def _surface_kinds(plan: StudyPlan) -> dict[str, StoreKind]:
     sides = {side: {key: band[side][key] for key in keys} for side, keys in side_keys.items()}
     return {
         # Measured scans, as their files have them, and their spectra.
-        "measurements": StoreKind(reading_arguments(study)),
-        "measured_spectra": StoreKind(levelling, ["measurements"]),
+        "measurements": Intermediate(reading_arguments(study)),
+        "measured_spectra": Intermediate(levelling, ["measurements"]),
         # Spectra sampled within the uncertainty of the measurements.
-        "sampled_spectra": StoreKind({**seed, **levelling}, ["measurements"]),
+        "sampled_spectra": Intermediate({**seed, **levelling}, ["measurements"]),
         # Levelled scans, mirrored scans, and the conditioning of substitutes on Table 1.
-        "measured_scans": StoreKind(levelling, ["measurements"]),
-        "substitute_scans": StoreKind(_substitute_settings(study)),
-        "scans": StoreKind({}, ["measured_scans", "substitute_scans"]),
+        "measured_scans": Intermediate(levelling, ["measurements"]),
+        "substitute_scans": Intermediate(_substitute_settings(study)),
+        "scans": Intermediate({}, ["measured_scans", "substitute_scans"]),
         # Scans and spectra with the roughness of both bodies; as they were if none is added.
-        "both_bodies": StoreKind(
+        "both_bodies": Intermediate(
             {**seed, "sphere": sphere} if plan.combined_surfaces else {},
             ["scans", "measured_spectra", "sampled_spectra"],
         ),
         # Scans with artificial roughness.
-        "masters": StoreKind({**seed, "sides": sides}, ["both_bodies"]),
+        "masters": Intermediate({**seed, "sides": sides}, ["both_bodies"]),
     }
 
 
-def _scan_contact_kinds(plan: StudyPlan) -> dict[str, StoreKind]:
+def _scan_contact_kinds(plan: StudyPlan) -> dict[str, Intermediate]:
     """Return the kinds of contacts on scans."""
     study = plan.study
     seed = {"seed": study["seed"]}
@@ -148,17 +147,17 @@ def _scan_contact_kinds(plan: StudyPlan) -> dict[str, StoreKind]:
     hindcast = {**seed, "contact": contact_at_range, "transitions": transitions}
     return {
         # Forces on a scan, with all scans of the sphere.
-        "pull_off": StoreKind(pull_off, ["scans"]),
-        "elastic": StoreKind({**seed, "contact": contact, **study["elastic"]}, ["scans"]),
-        "asperities": StoreKind(asperities, ["scans"]),
+        "pull_off": Intermediate(pull_off, ["scans"]),
+        "elastic": Intermediate({**seed, "contact": contact, **study["elastic"]}, ["scans"]),
+        "asperities": Intermediate(asperities, ["scans"]),
         # Forces on a scan with each octave changed.
-        "octave_forces": StoreKind({"contact": contact_at_range}, ["both_bodies"]),
+        "octave_forces": Intermediate({"contact": contact_at_range}, ["both_bodies"]),
         # Forces on a scan with random roughness in place of its outermost octaves.
-        "hindcast": StoreKind(hindcast, ["both_bodies"]),
+        "hindcast": Intermediate(hindcast, ["both_bodies"]),
     }
 
 
-def _random_surface_kinds(study: Mapping[str, Any]) -> dict[str, StoreKind]:
+def _random_surface_kinds(study: Mapping[str, Any]) -> dict[str, Intermediate]:
     """Return the kinds of contacts on whole random surfaces and on scans of the sets."""
     ranges = _all_ranges(study)
     # The posterior needs all ranges that whole surfaces permit, and only the paper's study has it.
@@ -177,12 +176,12 @@ def _random_surface_kinds(study: Mapping[str, Any]) -> dict[str, StoreKind]:
     set_scan = {**_grid_settings(study), "contact": set_contact, "ranges": ranges}
     return {
         # Forces on whole substitute surfaces, also with each octave changed.
-        "whole_surfaces": StoreKind({**whole_surface, "ranges": whole_ranges}),
-        # Forces on the band alone: a result outside the store, whose rule takes its settings here.
-        "band_forces": StoreKind(whole_surface),
+        "whole_surfaces": Intermediate({**whole_surface, "ranges": whole_ranges}),
+        # Forces on the band alone: outside the store, because they depend on the edges found.
+        "band_forces": Intermediate(whole_surface),
         # Forces on scans for the sets, without and with features.
-        "pool": StoreKind({**set_scan, "rms_height_count": study["sets"]["rms_height_count"]}),
-        "featured_candidates": StoreKind(set_scan),
+        "pool": Intermediate({**set_scan, "rms_height_count": study["sets"]["rms_height_count"]}),
+        "featured_candidates": Intermediate(set_scan),
     }
 
 
@@ -204,7 +203,7 @@ def _substitute_settings(study: Mapping[str, Any]) -> dict[str, Any]:
     return _grid_settings(study) | {"featured_surface": study["substitutes"]["featured_surface"]}
 
 
-def settings_digest(kinds: Mapping[str, StoreKind], name: str) -> str:
+def settings_digest(kinds: Mapping[str, Intermediate], name: str) -> str:
     """Return the digest of the settings of a kind and of all kinds that it is made from."""
     kind = kinds[name]
     sources = [settings_digest(kinds, source) for source in kind.made_from]
