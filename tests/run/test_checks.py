@@ -25,7 +25,7 @@ from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.surfaces.substitute_spectra import spectrum_from_description
 from hardcontact.surfaces.synthesis import random_surface
 
-#: A key, another value, and parts of the message.
+#: A key, another value, and parts of the message. Scans have 512 x 512 pixels on 2500 nm.
 CONTRADICTIONS = [
     # Names
     ("effort", "quick", "the section quick has no keys", "config/quick.yaml"),
@@ -204,14 +204,14 @@ def test_a_missing_file_is_refused_though_it_was_stored(tmp_path, monkeypatch):
 CONFIG = {"substitutes": {"pixels": 512, "size": 5000.0}, "band": {"long": {"tiles": 2}}}
 
 
-def rows(name):
+def substitute_row(name):
     path = ROOT / f"resources/spectra/{name}.csv"
     return pd.DataFrame({"source": ["substitute"], "path": [str(path)]})
 
 
 @pytest.mark.parametrize("name", ["crn_rougher", "crn_smoother_upper"])
 def test_contacts_on_a_described_surface_lie_within_its_relief(name):
-    table = rows(name)
+    table = substitute_row(name)
     relief = surface_extent(CONFIG, name, table).relief
     density = Spectrum(WAVEVECTORS, spectrum_from_description(table.path[0], None, None)[0])
     contact = Contact(radius=250e3, preload=1e-5, hardness=25e9, window=12.5e3, contacts_per_row=8)
@@ -219,4 +219,4 @@ def test_contacts_on_a_described_surface_lie_within_its_relief(name):
         surface = random_surface(np.random.default_rng(seed), 256, 20e3 / 256, density)
         lowest = all_contact_pixels(join_bodies(surface, None, contact), 1).reference_gaps
         height_difference = float(surface.heights.max() + lowest.max())
-        assert 0.2 * relief < height_difference < relief
+        assert 0.2 * relief < height_difference < relief  # The bound is not much too large.

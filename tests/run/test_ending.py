@@ -21,10 +21,7 @@ def test_the_answer_is_logged_only_by_a_run_that_makes_it(tmp_path, caplog, made
     answer = {"headline": ["Waves matter."], "verdicts": [], "notes": []}
     (tmp_path / "answer.json").write_text(json.dumps(answer))
     page = str(tmp_path / "answer.html")
-    jobs = {
-        name: SimpleNamespace(output=[tmp_path / name]) for name in ("answer.html", "claims.csv")
-    }
-    dag = SimpleNamespace(jobs=[*jobs.values()], finished_jobs=[jobs[made_now]])
+    dag = SimpleNamespace(finished_jobs=[SimpleNamespace(output=[tmp_path / made_now])])
     with caplog.at_level(logging.INFO, ending.logger.name):
         ending.log_answer(SimpleNamespace(dag=dag), page)
     lines = ["Waves matter.", f"The answer is made: open {page}"]
@@ -35,7 +32,7 @@ def test_the_answer_is_logged_only_by_a_run_that_makes_it(tmp_path, caplog, made
 def test_a_failed_run_is_resumed_only_if_files_are_missing(caplog, page_is_made):
     check, page = SimpleNamespace(output=[]), SimpleNamespace(output=["answer.html"])
     unfinished = [check] if page_is_made else [check, page]
-    dag = SimpleNamespace(jobs=[check, page], needrun_jobs=lambda: unfinished)
+    dag = SimpleNamespace(needrun_jobs=lambda: unfinished)
     ending.log_how_to_resume(SimpleNamespace(dag=dag))
     assert caplog.messages == ([] if page_is_made else [ending.RESUME])
 

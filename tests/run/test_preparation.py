@@ -62,9 +62,9 @@ def test_a_run_in_another_folder_is_refused(tmp_path, monkeypatch, rules_folder,
 def test_the_grids_of_the_paper_are_refused_for_own_surfaces():
     quick = ROOT / "config/quick.yaml"
     for configfiles in ((quick, ROOT / TINY), (ROOT / TINY, quick)):
-        study = planned_workflow(*configfiles)
+        workflow = planned_workflow(*configfiles)
         line = refusal_line(
-            preparation.complete_configuration, study, PAPER | {"published": "none"}
+            preparation.complete_configuration, workflow, PAPER | {"published": "none"}
         )
         assert_says(line, "config/quick.yaml", "--config effort=quick")
 
@@ -116,6 +116,6 @@ def test_a_quick_study_has_its_own_folders():
 
 @pytest.mark.parametrize("text", ["2026-13-45", "'a: b: c'", "four", "2.5"])
 def test_a_faulty_value_of_the_command_line_is_refused_with_its_key(text):
-    study = configured(f"asperities={{contacts: {text}}}")
-    line = refusal_line(preparation.complete_configuration, *study)
+    arguments = configured(f"asperities={{contacts: {text}}}")
+    line = refusal_line(preparation.complete_configuration, *arguments)
     assert_says(line, "config key asperities.contacts", "a whole number", text.strip("'"))

@@ -1,1 +1,1 @@
-"""Files, units, statistics, random generators for named purposes, and the formatting of numbers."""
+"""Files, units, published numbers, statistics, random generators, progress and formatting."""

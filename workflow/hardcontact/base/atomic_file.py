@@ -24,7 +24,7 @@ def atomic_file(path: str | Path) -> Iterator[str]:
         path.parent.mkdir(parents=True, exist_ok=True)
         yield str(temporary)
         with open(temporary, "rb") as file:
-            os.fsync(file.fileno())  # Otherwise a power loss may leave the name of an empty file.
+            os.fsync(file.fileno())  # Otherwise a power loss may leave an empty file.
         os.replace(temporary, path)
     except OSError as error:
         existing = next(folder for folder in path.parents if folder.exists())
@@ -44,7 +44,7 @@ def write_text_file(path: str | Path, text: str) -> None:
 
 
 def remove_incomplete_files(path: str | Path) -> None:
-    """Remove incomplete versions of a file that killed processes left; no job may write it now."""
+    """Remove the incomplete versions of a file, left by killed jobs; no job may be writing it."""
     path = Path(path)
     for incomplete_path in path.parent.glob(f"{INCOMPLETE_PREFIX}*-{glob.escape(path.name)}"):
         incomplete_path.unlink(missing_ok=True)

@@ -74,7 +74,7 @@ def read_by_name(names: Iterable[str], paths: Iterable[str | Path]) -> dict[str,
 def concatenate(
     datasets: DatasetsByLabels, dimension: str, shared_labels: int = 1
 ) -> DatasetsByLabels:
-    """Join datasets along an existing dimension if their keys share the first `shared_labels`."""
+    """Join datasets along an existing dimension if their keys share the first labels."""
     groups: dict[tuple[Any, ...], list[xr.Dataset]] = {}
     for key, dataset in datasets.items():
         groups.setdefault(key[:shared_labels], []).append(dataset)
@@ -97,7 +97,7 @@ def stack(datasets: DatasetsByLabels, dimensions: Sequence[str]) -> xr.Dataset:
 def variables_of_columns(
     columns: np.ndarray, dimensions: str | Sequence[str], units: Mapping[str, str]
 ) -> dict[str, Any]:
-    """Return a variable for each index of the last axis, by its name in `units`."""
+    """Return variables by name: one for each column (last axis), in the order of `units`."""
     return {
         name: (dimensions, columns[..., k], {"units": unit})
         for k, (name, unit) in enumerate(units.items())
@@ -105,7 +105,7 @@ def variables_of_columns(
 
 
 def add_surface_names(dataset: xr.Dataset, parameters: Mapping[str, Any]) -> xr.Dataset:
-    """Return a dataset with the label and the source of each surface, from parameters."""
+    """Return a dataset with the label and the source of each surface, from a job's parameters."""
     surfaces = dataset["surface"].values.tolist()
     return dataset.assign(
         label=("surface", [parameters["labels"][surface] for surface in surfaces]),

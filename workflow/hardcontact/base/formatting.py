@@ -37,7 +37,11 @@ def round_to_three_digits(value: float, rounding: Callable[[float], int]) -> flo
 
 
 def format_value_and_ends(value: float, low: float, high: float, *limits: float) -> list[str]:
-    """Return a number and both ends of its interval, rounded as the interval permits."""
+    """Return a number and both ends of its interval, rounded as the interval permits.
+
+    Numbers that differ by more than three times have two digits each, others as many (up to four)
+    as show a fifth of the width. Ends stay on their side of the `limits`.
+    """
     numbers = (value, low, high)
     if not all(map(math.isfinite, numbers)):
         return [_format_digits(number, 2) for number in numbers]
@@ -120,8 +124,8 @@ def format_as_paper(
 ) -> str:
     """Return a quantity in the units of the paper, with its interval: "1.7 [1.4, 2.8] µm".
 
-    As `format_quantity`, but with any `unit`, and without text for NaN. Ends have enough digits to
-    show on which side of each of the `limits` they lie.
+    As `format_quantity`, but with any `unit`, and without text for NaN. Ends stay on their side of
+    the `limits`.
     """
     if math.isnan(value):
         return ""
@@ -131,7 +135,10 @@ def format_as_paper(
 
 
 def is_unbounded(value: float, low: float, high: float, unit: str) -> bool:
-    """Return whether the ends differ by more than a factor of `MAX_END_RATIO`; False for NaN."""
+    """Return whether the ends differ by more than a factor of `MAX_END_RATIO`; False for NaN.
+
+    If zero lies between them, the farther end is compared with the value.
+    """
     near, far = sorted((abs(low), abs(high)))
     if low <= 0 <= high:
         # A number without a unit, such as an exponent, may be close to zero.
@@ -145,7 +152,7 @@ def format_share(share: float, format_spec: str = "g") -> str:
 
 
 def format_estimate(estimate: Mapping[str, float], format_spec: str) -> str:
-    """Return `value`, `low`, `high` as "0.056 [0.045, 0.068]", or the value if an end is NaN."""
+    """Return "0.056 [0.045, 0.068]", or "0.056" if an end of the interval is not finite."""
     value, low, high = (f"{estimate[name]:{format_spec}}" for name in ("value", "low", "high"))
     is_bounded = math.isfinite(estimate["low"] + estimate["high"])
     return f"{value} [{low}, {high}]" if is_bounded else value

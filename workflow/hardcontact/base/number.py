@@ -17,7 +17,7 @@ class NumberStatus(StrEnum):
     NO_INTERVAL = "no_interval"
 
 
-#: Codes for the origin of a number:
+#: Codes for the origin of a number, besides `computed` and `published`:
 #: - measured: a measured force, or an edge that rests on measured roughness;
 #: - from_measured: computed from measured forces;
 #: - extrapolated: with roughness beyond the reliable wavelengths;

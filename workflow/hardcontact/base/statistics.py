@@ -1,8 +1,8 @@
 """Intervals of means over scans, and random samples of uncertain quantities.
 
 Scans are the samples, not contacts, because contacts on one scan touch the same summits. A mean
-over scans gets the interval of Student's t. A number that follows from several means gets it from
-random samples of these means.
+over scans gets the interval of Student's t. A number that follows from several means gets its
+interval from random samples of these means.
 """
 
 import warnings
@@ -51,7 +51,7 @@ def interval_ends(dataset: xr.Dataset, name: str) -> tuple[xr.DataArray, xr.Data
 
 
 def percentile_interval(samples: ArrayLike, confidence: float) -> Floats:
-    """Return the interval (..., 2) with the central share of samples (n, ...), which may be NaN."""
+    """Return the central interval (..., 2) of samples (n, ...); missing samples are NaN."""
     samples = np.asarray(samples)
     tail = 50 * (1 - confidence)
     if not len(samples):
@@ -69,7 +69,7 @@ def percentile_interval(samples: ArrayLike, confidence: float) -> Floats:
 def widen_interval(dataset: xr.Dataset, name: str, error: xr.DataArray) -> xr.Dataset:
     """Return a dataset with a wider interval of a positive variable, by an independent error.
 
-    The error is a factor; NaN stands for no error.
+    The error is a factor, NaN if there is none.
     """
     value = dataset[name]
     log_error = abs(np.log(error.fillna(1)))

@@ -1,4 +1,4 @@
-"""Units: nm, N, J/m² and Pa inside the study; in files of the user any unit of that dimension."""
+"""Units: nm, N, J/m² and Pa inside the study; in files of the user any of `FACTORS`."""
 
 import math
 import re

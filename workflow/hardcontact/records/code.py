@@ -41,7 +41,7 @@ def write_pins() -> None:
 
 
 def refuse_other_versions() -> None:
-    """Refuse an installed version that is not the pinned one."""
+    """Refuse packages that are missing, or installed in another version than the pinned one."""
     locked = normalize_names(read_pins(LOCK))
     required = normalize_names(read_pins(ENVIRONMENT))
     installed = {name: installed_version(name) for name in locked}
@@ -99,7 +99,7 @@ def _imported_files(path: Path) -> frozenset[Path]:
 
 
 def _imported_names(tree: ast.AST) -> Iterator[str]:
-    """Yield the full names of the modules, and of names in modules, that a file imports."""
+    """Yield the full names that Python imports: modules, and names in modules."""
     for node in ast.iter_child_nodes(tree):
         if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING":
             yield from _imported_names(ast.Module(node.orelse, []))

@@ -82,7 +82,7 @@ def run_job(snakemake: Any) -> Iterator[Job]:
 
 @contextmanager
 def job_log(path: str | Path) -> Iterator[None]:
-    """Keep the log of a job; an error goes there in full, to stderr in one line, and ends it."""
+    """Log a job; an error goes to the log in full, to stderr in one line, and ends the job."""
     # If the log cannot be written, only the line on stderr is left.
     logging.raiseExceptions = False
     logging.lastResort = None
@@ -95,8 +95,8 @@ def job_log(path: str | Path) -> Iterator[None]:
     except Exception as error:
         _logger.error("failed\n%s", traceback.format_exc())
         message = " ".join(str(error).split()) or type(error).__name__
-        written = Path(path).is_file() and Path(path).stat().st_size > 0
-        line = f"error: {message} (see {path})" if written else f"error: {message}"
+        has_log = Path(path).is_file() and Path(path).stat().st_size > 0
+        line = f"error: {message} (see {path})" if has_log else f"error: {message}"
         print(line, file=sys.stderr, flush=True)
         os._exit(1)  # netCDF that could not write crashes when Python cleans up
     except KeyboardInterrupt:

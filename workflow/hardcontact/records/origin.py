@@ -14,14 +14,14 @@ from typing import Any, NamedTuple
 
 from hardcontact.base.atomic_file import write_text_file
 
-#: Packages whose versions every file names.
+#: Packages whose versions each record names.
 PACKAGES = ("numpy", "scipy", "xarray", "netCDF4", "SurfaceTopography", "snakemake")
 #: Name of the folder with the records of files, beside these files.
 RECORDS = ".origin"
 
 
 class Record(NamedTuple):
-    """The stored `Origin` of a file that a job made, plus the file's own SHA-256 and lineage."""
+    """The record of a file: its `Origin`, versions of packages, its own SHA-256 and its lineage."""
 
     parameters: dict[str, Any]
     versions: dict[str, str]
@@ -41,7 +41,7 @@ def value_digest(value: object) -> str:
 
 
 def short_value_digest(value: object) -> str:
-    """Return a digest of a value for paths."""
+    """Return the first eight digits of the digest of a value, for paths."""
     return value_digest(value)[:8]
 
 
@@ -78,7 +78,7 @@ class Origin(NamedTuple):
     code: list[str]  #: Those inputs that are code.
 
     def attributes(self) -> dict[str, str]:
-        """Return the origin as texts: equal texts mean an equal file."""
+        """Return the origin, with versions of packages, as texts by name."""
         return {
             "parameters": self.parameters_json,
             "versions": canonical_json(versions()),
@@ -149,7 +149,7 @@ def changed_paths(former_digests: Mapping[str, str]) -> list[str]:
 
 
 def refuse_edited_files(digests_now: Mapping[str, str]) -> None:
-    """Refuse files whose SHA-256 differs from their record; files that no job made may differ."""
+    """Refuse files that have a record with another SHA-256."""
     lines = [
         f"{path}: expected the file that the study wrote, found another"
         for path, digest in sorted(digests_now.items())

@@ -15,7 +15,7 @@ import psutil
 
 #: Logger of the study's own messages, which a terminal shows with the stages of a run.
 logger = logging.getLogger("snakemake.logging.study")
-#: The last line of a run that failed or was stopped.
+#: The last line of a run that ended before all its files were made.
 RESUME = "The run is incomplete: repeat the command to resume."
 
 
@@ -53,7 +53,7 @@ def log_how_to_resume(workflow: Any) -> None:
 
 
 def _cancel_timers() -> None:
-    """End without waiting for Snakemake's timers, since no work is left."""
+    """Cancel Snakemake's timers, for which the process would wait although no work is left."""
     for thread in threading.enumerate():
         if isinstance(thread, threading.Timer):
             thread.cancel()
@@ -80,7 +80,7 @@ def stop_run_at_interrupt(workflow: Any) -> None:
     On a cluster the first Ctrl-C lets Snakemake cancel the jobs; the second kills the run.
     """
     if workflow.local_exec:
-        # Threads and jobs that begin from here on inherit what is blocked.
+        # Threads and jobs that begin from here on inherit the blocked signal.
         signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
 
         def wait() -> None:

@@ -76,7 +76,7 @@ def _refuse_elsewhere(workflow: Any) -> None:
 
 
 def refuse_unwritable_folders(*folders: str) -> None:
-    """Refuse folders that cannot be written to."""
+    """Make folders, and refuse those that cannot be written to."""
     for folder in folders:
         try:
             Path(folder).mkdir(parents=True, exist_ok=True)
@@ -94,7 +94,7 @@ def plans_the_run(workflow: Any) -> bool:
 def complete_rules(workflow: Any, paths: StudyPaths) -> None:
     """Give each rule with a script a log and, if it writes files, a benchmark and its code.
 
-    The code, a script and the modules that it imports, is an input: changed code runs again.
+    The code, a script and the modules that it imports, is an input, so that changed code reruns.
     """
     for rule in workflow.rules:
         if rule.norun:
@@ -128,7 +128,7 @@ def complete_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, A
         command_line = workflow.config_settings.config
         nested = {key: item for key, item in command_line.items() if not isinstance(item, str)}
         config.update(apply_effort(merge_overlay(config, yaml_values(nested))))
-        # No key of a study: it lets another study replace the paper's.
+        # No key of a study: it lets other values replace the paper's study.
         overwrite = yaml_values(config.pop("overwrite", False))
         study = numeric_configuration(config)
         if plans_the_run(workflow):

@@ -75,7 +75,7 @@ class Reruns:
         return changed_paths
 
     def _digest(self, path: str) -> str | None:
-        """Return the presumed SHA-256 of a file, None if it is missing."""
+        """Return the SHA-256 of a file, as recorded if it is large; None if it is missing."""
         if path not in self._digests:
             self._digests[path] = None
             if Path(path).is_file():
@@ -85,7 +85,7 @@ class Reruns:
         return self._digests[path]
 
     def made_file_digests(self, paths: Iterable[str]) -> dict[str, str]:
-        """Return the presumed SHA-256 of each of the files that a job made and that exists."""
+        """Return the SHA-256, as `_digest` does, of those files that exist and that a job made."""
         made_paths = filter(_complete_record, paths)
         return {path: digest for path in made_paths if (digest := self._digest(path))}
 
