@@ -154,7 +154,7 @@ def fit() -> xr.Dataset:
 
 
 def scan_size() -> xr.Dataset:
-    """Return forces on mirrored scans of three sizes and, the last two, on whole surfaces."""
+    """Return force ratios on mirrored scans of three sizes, and on whole surfaces of two sizes."""
     ratio = 2 - np.arange(4 * 5.0).reshape(4, 5) / 20
     forces = between_multiples(
         "force_over_largest", ("surface", "map_size"), ratio, (0.8, 1.2), 0.9, units="1"
@@ -166,7 +166,7 @@ def scan_size() -> xr.Dataset:
 
 
 def features() -> xr.Dataset:
-    """Return forces on candidates with features; one of two with bumps has the published forces."""
+    """Return forces on candidates with features; one of two with bumps agrees with the paper."""
     axes = ("features", "candidate")
     forces = np.array([[8e-6, 20e-6], [30e-6, 40e-6], [20e-6, 25e-6]])
     return xr.Dataset(
