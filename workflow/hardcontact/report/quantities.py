@@ -26,7 +26,7 @@ class NoValue(StrEnum):
     ONE_FORCE = "one_force"  #: One measured force does not determine range and work.
 
 
-#: Words by the status of a number.
+#: Words by the status of a number; number_words.yaml says where they stand.
 _WORDS = yaml.safe_load((TEXTS / "templates/number_words.yaml").read_text("utf-8"))
 NO_VALUE_WORDS: dict[str, str] = _WORDS["no_value"]
 NO_INTERVAL_WORDS: dict[str, str] = _WORDS["no_interval"]
@@ -43,7 +43,8 @@ def number_of(
 ) -> Number:
     """Return a variable without dimensions, with its `<variable>_interval` if there is one.
 
-    `unit` and `name` replace those of the variable.
+    `unit` and `name` replace those of the variable. An interval from 0 to infinity becomes the
+    status NO_INTERVAL.
     """
     unit = unit or str(dataset[variable].attrs.get("units", "1"))
     number = Number(name or variable, float(dataset[variable].item()), unit, source=source)
@@ -57,8 +58,8 @@ def number_of(
 
 def number_without_value(name: str, low: float, high: float, unit: str = "1") -> Number:
     """Return a number without a value, with the ends of its interval that are known, if any."""
-    is_known = math.isfinite(low) or math.isfinite(high)
-    status = NumberStatus.ONLY_ENDS if is_known else NumberStatus.NOT_KNOWN
+    has_end = math.isfinite(low) or math.isfinite(high)
+    status = NumberStatus.ONLY_ENDS if has_end else NumberStatus.NOT_KNOWN
     return Number(name, math.nan, unit, low, high, status)
 
 
@@ -78,26 +79,26 @@ def numbers_of_answer(answer: Mapping[str, Any], surface: str = "") -> dict[str,
     numbers = {}
     for quantity in answer["quantities"]:
         if quantity["surface"] == surface:
-            values: dict[str, Any] = {
+            fields: dict[str, Any] = {
                 key: math.nan if quantity[key] is None else quantity[key] for key in Number._fields
             }
-            if values["status"] in (NumberStatus.KNOWN, NumberStatus.NOT_KNOWN):
-                values["status"] = ""
-            numbers[values["name"]] = Number(**values)
+            if fields["status"] in (NumberStatus.KNOWN, NumberStatus.NOT_KNOWN):
+                fields["status"] = ""
+            numbers[fields["name"]] = Number(**fields)
     return numbers
 
 
 def answer_text(answer: Mapping[str, Any]) -> str:
-    """Return the text of answer.json, as answer.schema.json describes it; refuse repeated names."""
-    names = [(row["surface"], row["name"]) for row in answer["quantities"]]
-    repeated = sorted({name for name in names if names.count(name) > 1})
+    """Return the text of answer.json; raise ValueError if quantities of a surface share a name."""
+    keys = [(quantity["surface"], quantity["name"]) for quantity in answer["quantities"]]
+    repeated = sorted({key for key in keys if keys.count(key) > 1})
     if repeated:
         raise ValueError(f"expected quantities with different names, found twice: {repeated}")
     return json.dumps(answer, ensure_ascii=False, allow_nan=False, indent=1) + "\n"
 
 
 def format_number(number: Number, digits: int = 3, end: str = "") -> str:
-    """Return a known number with its interval, "67 [47, 74] nm", or its "low" or "high" end."""
+    """Return a known number with its interval, "67 [47, 74] nm", or an end, "low" or "high"."""
     _, _, open_end = number.status.partition("interval_open_")
     if end:
         number = Number(number.name, getattr(number, end), number.unit)
@@ -106,7 +107,7 @@ def format_number(number: Number, digits: int = 3, end: str = "") -> str:
 
 
 def describe_number(number: Number, digits: int = 3) -> str:
-    """Return a number with its interval in words, as its status asks for."""
+    """Return a number in words: its value and interval, its known ends, or why it has no value."""
     if math.isfinite(number.value):
         bound = OPEN_WORDS.get(number.status, "")
         return bound + format_number(number, digits) + _open_interval_words(number, digits)
@@ -122,7 +123,10 @@ def describe_number(number: Number, digits: int = 3) -> str:
 
 
 def describe_without_interval(number: Number) -> str:
-    """Return a number in words without its interval, with two digits, as beside its interval."""
+    """Return a number in words without its interval.
+
+    The value has the digits that it has beside its interval, or two if there is none.
+    """
     return re.sub(r" \[[^]]*\]| \(.*\)", "", describe_number(number, 2))
 
 

@@ -22,13 +22,14 @@ from hardcontact.report.paper_study.answer import ANSWER_CLAIMS, FORCE_UNITS, PA
 from hardcontact.report.quantities import NO_INTERVAL_WORDS, numbers_of_answer
 from hardcontact.surfaces.metrics import TABLE1_METRICS
 
-#: Digits to which equal numbers agree. Processors with other kernels move numbers by up to 1.7e-10.
+#: Digits to which equal numbers agree. Other processors cause relative changes up to 1.7e-10.
 EQUAL_DIGITS = 8
 INPUT_SOURCES = ("given", "assumed", "file")
 #: Statuses of numbers whose interval has no low end.
 NO_LOW_END = (EdgeStatus.OPEN_BELOW, NumberStatus.INTERVAL_OPEN_LOW, *NO_INTERVAL_WORDS)
 #: Statuses of numbers whose interval has no high end.
 NO_HIGH_END = (EdgeStatus.OPEN_ABOVE, NumberStatus.INTERVAL_OPEN_HIGH, *NO_INTERVAL_WORDS)
+#: Names of the numbers that stand first in a comparison, and of those that stand last.
 MAIN_NUMBERS = re.compile("(short|long)_edge(_first)?|mean_force|(range|work)_of_adhesion")
 MINOR_NUMBERS = re.compile("(bumps|pits|gaussian|verdicts)_.*|.*_(scatter|agreeing_share)")
 
@@ -36,23 +37,23 @@ SET_DATASETS = ("sets", "topography", "filtered_forces", "features")
 #: Parameters of sets.nc that decide which scans and masters a set has.
 SAMPLING_PARAMETERS = ("pool_chunks", "candidate_chunks", "master_surfaces", "master_pool_size")
 SAMPLING_SETTINGS = ("seed", "master_count")
-#: Relative difference of equal surfaces: far more than other processors cause, 7e-16.
+#: Largest relative difference of equal surfaces. Other processors cause up to 7e-16.
 SURFACE_TOLERANCE = 1e-6
 
 
 class Agreement(StrEnum):
     """How the numbers of two studies agree."""
 
-    CHANGED = "changed"  #: The interval of the change excludes no change.
-    DIFFERENT = "different"  #: The intervals do not overlap.
-    UNCHANGED = "unchanged"  #: The interval of the change includes no change.
-    SAME = "same"  #: The intervals overlap.
+    CHANGED = "changed"  #: The interval of a ratio excludes 1, or that of a difference 0.
+    DIFFERENT = "different"  #: The intervals of both numbers do not overlap.
+    UNCHANGED = "unchanged"  #: The interval of a ratio includes 1, or that of a difference 0.
+    SAME = "same"  #: The intervals of both numbers overlap.
     NO_INTERVAL = "no_interval"  #: Neither number has an interval.
     UNKNOWN = "unknown"  #: One of the numbers is not known.
-    EQUAL = "equal"  #: To EQUAL_DIGITS.
+    EQUAL = "equal"  #: Equal to EQUAL_DIGITS.
 
 
-#: Agreements in the order of rows; the others, which resolve no change, stand between.
+#: Order of rows by agreement; the others, which resolve no change, have rank 2.
 AGREEMENT_RANKS = {Agreement.CHANGED: 0, Agreement.DIFFERENT: 1, Agreement.EQUAL: 3}
 
 
@@ -101,8 +102,8 @@ class ComparedNumber(NamedTuple):
         low_change, high_change = self.change_interval
         if math.isfinite(low_change):
             no_change = 1 if self.change.name == "ratio" else 0
-            includes_none = low_change <= no_change <= high_change
-            return Agreement.UNCHANGED if includes_none else Agreement.CHANGED
+            includes_no_change = low_change <= no_change <= high_change
+            return Agreement.UNCHANGED if includes_no_change else Agreement.CHANGED
         if lacks_interval(self.first) and lacks_interval(self.second):
             return Agreement.NO_INTERVAL
         lows, highs = zip(bounds(self.first), bounds(self.second), strict=True)
@@ -112,10 +113,10 @@ class ComparedNumber(NamedTuple):
     def sort_key(self) -> tuple[bool, bool, int, float]:
         """Key that sorts rows: main numbers first, minor last; then resolved, large changes."""
         largest = max(abs(self.first.value), abs(self.second.value)) or 1.0
-        size = np.nan_to_num(abs(self.second.value - self.first.value) / largest)
+        relative_change = np.nan_to_num(abs(self.second.value - self.first.value) / largest)
         is_minor = bool(MINOR_NUMBERS.fullmatch(self.name))
         is_main = bool(MAIN_NUMBERS.fullmatch(self.name))
-        return is_minor, not is_main, AGREEMENT_RANKS.get(self.agreement, 2), -size
+        return is_minor, not is_main, AGREEMENT_RANKS.get(self.agreement, 2), -relative_change
 
 
 def compare_answers(
@@ -135,7 +136,7 @@ def compare_answers(
     for number in _numbers_of_both(first, second):
         if number.first.source not in INPUT_SOURCES:
             results.append(number)
-        # The inputs of contacts are compared as texts.
+        # `_changed_contact` compares the inputs of contacts.
         elif number.name.replace("_", " ") not in first["contact"] and not number.is_equal:
             inputs.append(ChangedInput(number.surface, number.name, number.first, number.second))
     return inputs, results
@@ -161,23 +162,24 @@ def _numbers_of_both(
 ) -> Iterator[ComparedNumber]:
     """Yield the numbers of the whole study, then of each surface, that both answers have.
 
-    Two studies of one surface each are compared whatever their surfaces are called.
+    Published numbers, and numbers that neither study knows, are left out. Two studies of one
+    surface each are compared whatever their surfaces are called.
     """
-    labels = {surface["name"]: surface["label"] for surface in first["surfaces"]}
+    first_labels = {surface["name"]: surface["label"] for surface in first["surfaces"]}
     second_labels = {surface["name"]: surface["label"] for surface in second["surfaces"]}
-    names = {name: name for name in labels if name in second_labels}
-    if len(labels) == len(second_labels) == 1:
-        names = dict(zip(labels, second_labels, strict=True))
-    for name, second_name in {"": "", **names}.items():
-        second_numbers = numbers_of_answer(second, second_name)
-        for number in numbers_of_answer(first, name).values():
-            second_number = second_numbers.get(number.name)
-            if second_number is None or number.source == "published":
+    surfaces = {name: name for name in first_labels if name in second_labels}
+    if len(first_labels) == len(second_labels) == 1:
+        surfaces = dict(zip(first_labels, second_labels, strict=True))
+    for first_surface, second_surface in {"": "", **surfaces}.items():
+        both_labels = (first_labels.get(first_surface, ""), second_labels.get(second_surface, ""))
+        label = " / ".join(dict.fromkeys(both_labels))
+        second_numbers = numbers_of_answer(second, second_surface)
+        for name, first_number in numbers_of_answer(first, first_surface).items():
+            second_number = second_numbers.get(name)
+            if second_number is None or first_number.source == "published":
                 continue
-            if is_known(number) or is_known(second_number):
-                both_labels = (labels.get(name, ""), second_labels.get(second_name, ""))
-                label = " / ".join(dict.fromkeys(both_labels))
-                yield ComparedNumber(label, number.name, number, second_number)
+            if is_known(first_number) or is_known(second_number):
+                yield ComparedNumber(label, name, first_number, second_number)
 
 
 def is_known(number: Number) -> bool:
@@ -186,13 +188,13 @@ def is_known(number: Number) -> bool:
 
 
 def lacks_interval(number: Number) -> bool:
-    """Return whether a number has neither an interval nor a bound."""
+    """Return whether a number has no interval, not even an unbounded one, and is no bound."""
     has_no_end = math.isnan(number.low) and math.isnan(number.high)
     return has_no_end and number.status not in (*NO_LOW_END, *NO_HIGH_END)
 
 
 def bounds(number: Number) -> tuple[float, float]:
-    """Return the ends between which a known number lies: its value if it has no interval."""
+    """Return both ends, infinite if open, of the interval of a known number, or twice its value."""
     low, high = number.low, number.high
     if math.isnan(low) and math.isnan(high):
         low = high = number.value
@@ -204,13 +206,13 @@ def bounds(number: Number) -> tuple[float, float]:
 def pairing(first_study: Mapping[str, xr.Dataset], second_study: Mapping[str, xr.Dataset]) -> str:
     """Return "paired" if two studies have the same sets of scans, otherwise why not.
 
-    A study is its SET_DATASETS by name.
+    A study is its SET_DATASETS by name, empty if one is missing.
     """
     if not (first_study and second_study):
         return "no_sets"
     first, second = _recorded_surfaces(first_study), _recorded_surfaces(second_study)
-    same_seeds = _sampling(first_study["sets"]) == _sampling(second_study["sets"])
-    if not same_seeds or first.sizes != second.sizes:
+    same_sampling = _sampling(first_study["sets"]) == _sampling(second_study["sets"])
+    if not same_sampling or first.sizes != second.sizes:
         return "other_scans"
     same_surfaces = all(
         np.allclose(first[name], second[name], rtol=SURFACE_TOLERANCE, atol=0, equal_nan=True)
@@ -227,7 +229,7 @@ def _sampling(sets: xr.Dataset) -> list[Any]:
 
 
 def _recorded_surfaces(study: Mapping[str, xr.Dataset]) -> xr.Dataset:
-    """Return the roughness of the scans of a study, and the transitions and ends of its masters."""
+    """Return the roughness of a study's scans, and transitions and spectrum ends of its masters."""
     scans = study["topography"][list(TABLE1_METRICS.values())]
     return xr.merge([scans, study["filtered_forces"][["spectrum_end", "transition"]]], join="outer")
 
@@ -238,12 +240,12 @@ def add_paired_intervals(
     second_study: Mapping[str, xr.Dataset],
 ) -> list[ComparedNumber]:
     """Add the intervals of changes between paired studies to the numbers that sets have."""
-    first_values, second_values = _set_numbers(first_study), _set_numbers(second_study)
+    first_numbers, second_numbers = _set_numbers(first_study), _set_numbers(second_study)
     paired_numbers = []
     for number in numbers:
         key = number.surface, number.name
-        if key in first_values and key in second_values:
-            first, second = first_values[key], second_values[key]
+        if key in first_numbers and key in second_numbers:
+            first, second = first_numbers[key], second_numbers[key]
             changes = second / first if number.change.name == "ratio" else second - first
             interval = sets_interval(changes.values, first_study["sets"].attrs["confidence"])
             low, high = stretch_interval(interval, number.change.value)
@@ -258,17 +260,17 @@ def _set_numbers(study: Mapping[str, xr.Dataset]) -> dict[tuple[str, str], xr.Da
     labels = study["topography"]["label"].to_series()[sets["surface"].values]
     claims = {("", name): claim for name, claim in ANSWER_CLAIMS.items()}
     claims |= {(label, "mean_force"): f"mean_force_{surface}" for surface, label in labels.items()}
-    known_claims = sets["claim"].values
     numbers = {
         key: sets["value"].sel(claim=claim)
         for key, claim in claims.items()
-        if claim in known_claims
+        if claim in sets["claim"].values
     }
     for name in PAIR_UNITS:
         fit = sets[name].sel(contact_model=PLASTIC)
         numbers |= {("", name): fit, ("", f"all_surfaces_{name}"): fit}
-    for (surface, label), (side, name) in product(labels.items(), EDGE_NAMES.items()):
-        numbers[label, name] = sets["edge"].sel(side=side, group=surface)
+    for side, name in EDGE_NAMES.items():
+        for surface, label in labels.items():
+            numbers[label, name] = sets["edge"].sel(side=side, group=surface)
     for kind, name in product(features["features"].values, FORCE_UNITS):
         key = "", f"{kind}_{name.removesuffix('_at_pair')}"
         numbers[key] = features[name].sel(features=kind)

@@ -35,7 +35,7 @@ class Frame(NamedTuple):
 def render_document(template: str, frame: Frame, page: str, **facts: Any) -> str:
     """Return a page, by its name, as one HTML document that needs no network.
 
-    The facts are the names that the template uses.
+    `facts` are what the template shows, by the names that it uses.
     """
     script = (TEMPLATES / "page.js").read_text("utf-8")
     style = (TEMPLATES / "style.css").read_text("utf-8")
@@ -64,7 +64,7 @@ def render_page(
 
 
 def render_template(template: str, **facts: Any) -> str:
-    """Return the text that a template makes of the facts that it names."""
+    """Return the text that a template makes of facts, by the names that it uses."""
     return str(_environment().get_template(template).render(**facts))
 
 
@@ -85,15 +85,16 @@ def render_note(
 
 
 def substitutes_note(labels: Sequence[str]) -> list[dict[str, Any]]:
-    """Return the note that these surfaces are substitutes, or none if all are measured."""
+    """Return a list with the note that the surfaces of these labels are substitutes, if any."""
     if not labels:
         return []
-    return [render_note("substitutes.txt", "caution", "substitutes", "", True, substitutes=labels)]
+    note = render_note("substitutes.txt", "caution", "substitutes", grave=True, substitutes=labels)
+    return [note]
 
 
 @cache
 def _environment() -> Environment:
-    """Return the environment in which templates of pages are rendered; it compiles each once."""
+    """Return the environment that renders templates; it compiles each once."""
     environment = Environment(
         loader=FileSystemLoader(TEMPLATES), autoescape=True, undefined=StrictUndefined,
         trim_blocks=True, lstrip_blocks=True,
@@ -124,18 +125,18 @@ def _code_commit() -> str:
 
 
 def _share_of_decades(value: float, low: float, high: float) -> float:
-    """Return the position of a value between two others on a logarithmic axis, from 0 to 1."""
+    """Return the position of a value on a logarithmic axis from 0, its low end, to 1, its high."""
     return min(max(math.log(value / low) / math.log(high / low), 0.0), 1.0)
 
 
 def unbroken(text: Any) -> str:
-    """Return a text whose lines do not break between a number and its unit."""
-    words = NO_BREAK.sub("\N{NO-BREAK SPACE}", str(text))
-    return Markup(words) if isinstance(text, Markup) else words
+    """Return a text whose lines do not break between a number, its interval and its unit."""
+    unbroken_text = NO_BREAK.sub("\N{NO-BREAK SPACE}", str(text))
+    return Markup(unbroken_text) if isinstance(text, Markup) else unbroken_text
 
 
-def _link_claims(text: str, claims: Mapping[str, Mapping[str, Any]]) -> Any:
-    """Return a text in which ids of claims are links, printed as numbers of statements."""
+def _link_claims(text: str, claims: Mapping[str, Mapping[str, Any]]) -> Markup:
+    """Return a text in which each id of a claim is a link, printed as "statement 3"."""
     words = re.split(r"(\w+)", text)
     link = Markup('<a href="#{}">statement {}</a>')
     return Markup("").join(

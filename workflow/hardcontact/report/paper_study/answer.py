@@ -37,11 +37,11 @@ ANSWER_CLAIMS = {
     "plasticity_shift": "plasticity_moves_short_edge",
     "range_shift": "range_moves_short_edge",
 }
-#: Status of an edge beyond the cutoffs, by its side.
+#: Status of an edge that no cutoff reaches, by its side.
 OPEN_STATUSES = {"short": EdgeStatus.OPEN_ABOVE, "long": EdgeStatus.OPEN_BELOW}
-#: Contact model and index of the ascending ranges of adhesion at which edge_shifts.nc has the edge
-#: without the reason of each shift.
-FORMER_EDGES = {"plasticity_shift": (RIGID, -1), "range_shift": (PLASTIC, 0)}
+#: Where edge_shifts.nc has the edge without the cause of each shift: contact model, and index among
+#: its ascending ranges of adhesion.
+EDGES_WITHOUT_CAUSE = {"plasticity_shift": (RIGID, -1), "range_shift": (PLASTIC, 0)}
 #: Units of the parameters that are fitted to the forces of each set of scans.
 PAIR_UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
 #: Units of the statistics of forces on surfaces with features.
@@ -59,23 +59,24 @@ def paper_answer(
 ) -> dict[str, Any]:
     """Return the content of answer.json.
 
-    `claims` comes from `read_judged_claims`, `constants` and `table1` from `published`. The
+    `claims` comes from `read_judged_claims`, `constants` and `table1` from `base.published`. The
     datasets are `topography`, `filtered_forces`, `edges`, `edge_shifts`, `sensitivity`,
     `band_forces`, `sets`, `features`, `fit`, and `scan_size` from resources/validation.
     """
-    heads = datasets["topography"][["label", "source"]].to_dataframe()
+    labels = datasets["topography"]["label"].to_series()
+    sources = datasets["topography"]["source"].to_series()
     numbers = numbers_by_name(*_study_numbers(claims, datasets, constants))
     substrates = [str(name) for name in datasets["edges"]["surface"].values]
-    coatings = {name: _surface_numbers(name, datasets) for name in substrates}
+    coating_numbers = {name: _surface_numbers(name, datasets) for name in substrates}
     contact = contact_inputs(numeric_configuration(configuration))
     changed = changed_inputs(contact, substrates, table1)
     sets = datasets["sets"]
     facts = claim_facts(claims, sets.sizes["set"], sets.attrs["confidence"]) | {
         "numbers": numbers,
         "coatings": [
-            {"label": heads["label"][name], "numbers": coatings[name]} for name in coatings
+            {"label": labels[name], "numbers": coating_numbers[name]} for name in substrates
         ],
-        "substitutes": heads.loc[heads["source"] == "substitute", "label"].tolist(),
+        "substitutes": labels[sources == "substitute"].tolist(),
         "featured": datasets["features"].attrs["label"],
         "is_coarse": any(
             numbers[name].value < numbers[f"{name}_published"].value
@@ -99,13 +100,13 @@ def paper_answer(
         "assumed": [],
         "chosen": [],
         "surfaces": [
-            {"name": name, "label": heads["label"][name], "source": heads["source"][name]}
+            {"name": name, "label": labels[name], "source": sources[name]}
             for name in (*substrates, datasets["topography"].attrs["sphere_surface"])
         ],
         "notes": notes,
         "quantities": all_quantities(
             [*numbers.values(), *verdict_numbers],
-            {name: coating_numbers.values() for name, coating_numbers in coatings.items()},
+            {name: coating_numbers[name].values() for name in substrates},
         ),
     }
 
@@ -113,7 +114,7 @@ def paper_answer(
 def _study_numbers(
     claims: pd.DataFrame, datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame
 ) -> Iterator[Number]:
-    """Yield the numbers of the whole study, in the units of the claims."""
+    """Yield the numbers of the whole study."""
     rows: Any = {row.id: row for row in claims.dropna(subset="computed").itertuples()}
     for name, claim in ANSWER_CLAIMS.items():
         if claim in rows:
@@ -139,7 +140,7 @@ def _verdict_numbers(claims: pd.DataFrame) -> Iterator[Number]:
 
 
 def _edge_source(filtered_forces: xr.Dataset, side: str, edge: float) -> NumberSource:
-    """Return the source of an edge (nm): whether the roughness beyond it is artificial."""
+    """Return the source of an edge (nm): whether the roughness at this wavelength is artificial."""
     transition = filtered_forces["transition"].sel(side=side).item()
     is_artificial = edge < transition if side == "short" else edge > transition
     return "artificial" if is_artificial else "computed"
@@ -160,11 +161,11 @@ def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> l
             source = _edge_source(datasets["filtered_forces"], side, row.computed)
         if name == edge_name and np.isnan(mean_edges.sel(side=side).item()):
             status = OPEN_STATUSES[side]
-    if name in FORMER_EDGES:  # The edge without the reason of a shift may be artificial.
-        model, end = FORMER_EDGES[name]
+    if name in EDGES_WITHOUT_CAUSE:  # A shift is artificial if this edge is.
+        model, index = EDGES_WITHOUT_CAUSE[name]
         shifts = datasets["edge_shifts"].sel(side="short", group=MEAN_GROUP, contact_model=model)
-        former_edge = shifts["edge"].sortby("rho").isel(rho=end).item()
-        source = _edge_source(datasets["filtered_forces"], "short", former_edge)
+        edge_without_cause = shifts["edge"].sortby("rho").isel(rho=index).item()
+        source = _edge_source(datasets["filtered_forces"], "short", edge_without_cause)
     return [
         Number(name, row.computed, row.unit, row.low, row.high, status, source),
         Number(f"{name}_published", row.published, row.unit, source="published"),
@@ -172,18 +173,18 @@ def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> l
 
 
 def _surface_numbers(surface: str, datasets: Mapping[str, xr.Dataset]) -> dict[str, Number]:
-    """Return the numbers of one substrate: both edges, its mean force, and two ratios of forces."""
+    """Return the edges, the mean force and the ratios of forces of one substrate."""
     edges, sets = datasets["edges"], datasets["sets"]
     numbers = {}
     for side, name in EDGE_NAMES.items():
         selection = {"side": side, "group": surface}
-        value = edges_or_bounds(edges).sel(selection).item()
-        set_values = edges_or_bounds(sets).sel(selection).values
+        edge = edges_or_bounds(edges).sel(selection).item()
+        set_edges = edges_or_bounds(sets).sel(selection).values
         interval = interval_ends(edges.sel(selection), "edge")
-        low, high = interval_with_samples(value, interval, set_values, edges.attrs["confidence"])
-        status = _interval_status(find_open_end(side, value, low, high, [edges, sets]))
-        source = _edge_source(datasets["filtered_forces"], side, value)
-        numbers[name] = Number(name, value, "nm", low, high, status, source)
+        low, high = interval_with_samples(edge, interval, set_edges, edges.attrs["confidence"])
+        status = _interval_status(find_open_end(side, edge, low, high, [edges, sets]))
+        source = _edge_source(datasets["filtered_forces"], side, edge)
+        numbers[name] = Number(name, edge, "nm", low, high, status, source)
     fit = datasets["fit"].sel(contact_model=PLASTIC, pair="published", surface=surface)
     numbers["mean_force"] = number_of(fit, "mean_force_at_pair", name="mean_force")
     band_forces = datasets["band_forces"].sel(band="published", band_part="only the band")
@@ -196,7 +197,7 @@ def _surface_numbers(surface: str, datasets: Mapping[str, xr.Dataset]) -> dict[s
 
 
 def _small_scan_forces(datasets: Mapping[str, xr.Dataset]) -> xr.Dataset:
-    """Return the forces of scan_size.nc on mirrored scans of the size of the study's scans."""
+    """Return the forces of scan_size.nc on mirrored scans nearest in size to the study's scans."""
     table = datasets["scan_size"]
     scans = table.sel(map_size=table["mirrored"] == 1)
     return scans.sel(map_size=datasets["topography"]["scan_size"].min(), method="nearest")
@@ -222,7 +223,7 @@ def _pairs_of_sets(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) 
 
 
 def _feature_numbers(features: xr.Dataset, confidence: float) -> Iterator[Number]:
-    """Yield the forces on candidates of each kind, how many agree, and the published forces."""
+    """Yield the share of candidates of each kind that agree, their forces, and published forces."""
     if features.sizes["candidate"] == 0:
         return
     for kind, candidates in features.groupby("features"):
@@ -260,6 +261,6 @@ def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> It
     yield Number("sets", datasets["sets"].sizes["set"], source="given")
     yield Number("masters", filtered_forces.sizes["realization"], source="given")
     map_size = datasets["scan_size"]["map_size"]
-    mirrored = _small_scan_forces(datasets)["map_size"]
-    yield Number("mirrored_scan_size", float(mirrored), "nm", source="given")
+    mirrored_size = _small_scan_forces(datasets)["map_size"]
+    yield Number("mirrored_scan_size", float(mirrored_size), "nm", source="given")
     yield Number("large_surface_size", float(map_size[-1]), "nm", source="given")

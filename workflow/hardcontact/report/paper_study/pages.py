@@ -127,7 +127,7 @@ def _page_link(link: re.Match[str], pages: Collection[str]) -> str:
 
 
 def _keep_units(tokens: Sequence[Token]) -> None:
-    """Keep numbers and their units on a line, except in code."""
+    """Keep each number and its unit on one line, except in code."""
     for token in tokens:
         for child in token.children or []:
             if child.type == "text":
@@ -146,7 +146,7 @@ def _set_anchors(tokens: Sequence[Token]) -> list[tuple[str, str]]:
 
 
 def _label_cells(tokens: Sequence[Token]) -> None:
-    """Label the cells of tables with the headings of their columns, which narrow pages show."""
+    """Label the cells of tables with the headings of their columns, which narrow screens show."""
     labels: list[str] = []
     column = 0
     for opening, inline in pairwise(tokens):

@@ -28,35 +28,35 @@ from hardcontact.surfaces.metrics import TABLE1_VARIABLES
 
 def claim_facts(claims: pd.DataFrame, set_count: int, confidence: float) -> dict[str, Any]:
     """Return the facts about claims that templates show, by the names that templates use."""
-    facts: dict[str, Any] = {}
+    rows: dict[str, Any] = {}
     for position, row in enumerate(claims.to_dict("records"), start=1):
         # Templates test for None, because a comparison with NaN is always false.
         plain = {name: None if pd.isna(value) else value for name, value in row.items()}
-        facts[row["id"]] = plain | _printed_claim(row) | {"position": position}
-    main_rows = sorted(
-        (row for row in facts.values() if row["main"]), key=lambda row: int(row["main"])
-    )
-    independent = [row for row in facts.values() if row["kind"] == "independent"]
+        rows[row["id"]] = plain | _printed_claim(row) | {"position": position}
+    main_rows = [row for row in rows.values() if row["main"]]
+    main_rows.sort(key=lambda row: int(row["main"]))
+    independent = [row for row in rows.values() if row["kind"] == "independent"]
     main_first = sorted(independent, key=lambda row: row["main"] == "")
     return {
         # Rows by id, and the ids of main statements, the first in rank first.
-        "claims": facts,
+        "claims": rows,
         "main_statements": [row["id"] for row in main_rows],
-        # Factors within which numbers of main statements agree.
+        # Factors within which numbers of main statements agree, as texts.
         "accepted_factors": sorted(
             {row["rule"].split()[1] for row in main_rows if row["rule"].startswith("factor ")}
         ),
+        # Independent statements that are not reproduced, main ones first.
         "contradicted": [row for row in main_first if row["verdict"] == NOT_REPRODUCED],
         "counts": count_verdicts(claims).to_dict("records"),
         "decisive_share": REPRODUCED_SHARE,
         "set_count": set_count,
         # Number of sets that must agree, or disagree, for a verdict.
         "sets_needed": sets_needed(set_count, confidence),
-        # Number of statements that are reproduced without any scan.
+        # Number of independent statements that are reproduced without any scan.
         "without_scan": sum(
             row["basis"] in WITHOUT_SCAN for row in independent if row["verdict"] == REPRODUCED
         ),
-        # Number of statements that only the paper's pixels can test.
+        # Number of independent statements that only the paper's pixels can test.
         "larger_pixels": sum(LARGER_PIXELS in row["note"] for row in independent),
     }
 
@@ -64,7 +64,7 @@ def claim_facts(claims: pd.DataFrame, set_count: int, confidence: float) -> dict
 def _printed_claim(row: Mapping[Any, Any]) -> dict[str, Any]:
     """Return the numbers of a claim as printed, and its kind."""
     unit = row["unit"]
-    # The accepted range shows a limit.
+    # A one-sided rule has a published limit, which the accepted range shows.
     published = "" if row["rule"] in ONE_SIDED else format_as_paper(row["published"], unit)
     interval = (row["low"], row["high"])
     kind = "follows" if row["follows_from"] else "independent"
@@ -75,8 +75,9 @@ def _printed_claim(row: Mapping[Any, Any]) -> dict[str, Any]:
     if is_unbounded(row["computed"], *interval, unit):
         computed_text += f" ({NO_INTERVAL_WORDS[NumberStatus.NO_INTERVAL]})"
     elif row["low"] != row["high"]:
-        bounds = {"open_end": row["open_end"], "limits": limits}
-        computed_text = format_as_paper(row["computed"], unit, interval, **bounds)
+        computed_text = format_as_paper(
+            row["computed"], unit, interval, open_end=row["open_end"], limits=limits
+        )
     return {
         "published_text": published or "as stated",
         "accepted_text": _format_accepted_range(row["accepted_low"], row["accepted_high"], unit),
@@ -95,33 +96,31 @@ def _format_accepted_range(low: float, high: float, unit: str) -> str:
     high_text, _, high_unit = format_as_paper(high, unit).partition(" ")
     if low_unit != high_unit:
         return f"{low_text} {low_unit} to {high_text} {high_unit}"
-    # Equally many decimals: at most those that the upper end has with three digits.
+    # Both ends have equally many decimals: at most those of the upper end with three digits.
     printed = max(len(text.partition(".")[2]) for text in (low_text, high_text))
     decimals = min(printed, _decimals_of(float(high_text), 0.0))
     return f"{float(low_text):.{decimals}f} to {float(high_text):.{decimals}f} {high_unit}".rstrip()
 
 
 def table1_rows(topography: xr.Dataset, published: pd.DataFrame) -> list[list[str]]:
-    """Return the rows of Table 1 as printed: a title, then the value for each surface.
-
-    A dagger marks what substitutes meet by construction.
-    """
-    surfaces = [topography.sel(surface=name) for name in topography["surface"].values]
+    """Return the rows of Table 1 as printed: a title, then the value for each surface."""
+    names = topography["surface"].values
+    surfaces = [topography.sel(surface=name) for name in names]
     table1 = yaml.safe_load((TEXTS / "templates/table1.yaml").read_text("utf-8"))
     rows = []
-    for name, quantity in table1.items():
-        unit = quantity["unit"]
-        values = published[published["quantity"] == name].set_index("surface")
-        cells = [_format_published(values, str(data["surface"].item()), unit) for data in surfaces]
-        rows.append([f"{quantity['title']}, published", *cells])
-        for variable, title in quantity["computed"].items():
-            cells = [_format_computed(data, variable, name, unit) for data in surfaces]
+    for quantity, row in table1.items():
+        unit = row["unit"]
+        values = published[published["quantity"] == quantity].set_index("surface")
+        cells = [_format_published(values, name, unit) for name in names]
+        rows.append([f"{row['title']}, published", *cells])
+        for variable, title in row["computed"].items():
+            cells = [_format_computed(surface, variable, quantity, unit) for surface in surfaces]
             rows.append([title, *cells])
     return rows
 
 
 def _format_published(values: pd.DataFrame, surface: str, unit: float) -> str:
-    """Return a published value and its uncertainty, with equally many decimals."""
+    """Return a published value and its uncertainty, in multiples of `unit`."""
     if surface not in values.index:
         return "–"
     value, uncertainty = values.loc[surface, ["value", "uncertainty"]].to_numpy(float) / unit
@@ -130,10 +129,13 @@ def _format_published(values: pd.DataFrame, surface: str, unit: float) -> str:
 
 
 def _format_computed(surface: xr.Dataset, variable: str, quantity: str, unit: float) -> str:
-    """Return a computed value: mean over scans, or rms value of the joined spectrum."""
-    name, spread = variable, math.nan
-    if f"{variable}_mean" in surface:
-        name, spread = f"{variable}_mean", surface[f"{variable}_std"].item() / unit
+    """Return a mean over scans, or a value over all scales, in multiples of `unit`.
+
+    A dagger marks what substitutes meet by construction.
+    """
+    has_scans = f"{variable}_mean" in surface
+    name = f"{variable}_mean" if has_scans else variable
+    spread = surface[f"{variable}_std"].item() / unit if has_scans else math.nan
     value = surface[name].item() / unit
     meets_by_construction = quantity in surface["table1_rows_met"].item().split(",")
     mark = " †" if meets_by_construction and TABLE1_VARIABLES[quantity] == name else ""
@@ -141,6 +143,7 @@ def _format_computed(surface: xr.Dataset, variable: str, quantity: str, unit: fl
 
 
 def _format_with_uncertainty(value: float, uncertainty: float, decimals: int) -> str:
+    """Return "107.1 ± 12.0", three digits without an uncertainty, or a dash without a value."""
     if not math.isfinite(value):
         return "–"
     if not math.isfinite(uncertainty):
@@ -149,7 +152,7 @@ def _format_with_uncertainty(value: float, uncertainty: float, decimals: int) ->
 
 
 def _decimals_of(value: float, uncertainty: float) -> int:
-    """Return the decimals for two digits of the uncertainty and at most three of the value."""
+    """Return the decimals for at most two digits of the uncertainty and three of the value."""
     digits = [1 - math.floor(math.log10(uncertainty))] if uncertainty > 0 else []
     digits += [2 - math.floor(math.log10(abs(value)))] if value and math.isfinite(value) else []
     return max(0, min(digits, default=2))
