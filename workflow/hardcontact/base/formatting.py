@@ -9,7 +9,7 @@ PRINTED_UNITS = {
     "N": {"N": 1.0, "mN": 1e-3, "µN": 1e-6, "nN": 1e-9, "pN": 1e-12},
     "J m-2": {"J/m²": 1.0, "mJ/m²": 1e-3},
 }
-#: For numbers beside those of the paper: the units that the paper prints.
+#: For each unit of `claims.csv`: the units that the paper prints, largest first.
 UNITS_OF_PAPER = {
     "nm": {"µm": 1e3, "nm": 1.0},
     "nm2": {"nm²": 1.0},

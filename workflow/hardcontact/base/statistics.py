@@ -170,7 +170,7 @@ class Sampling:
         return generator(self.seed, *self.stream, *names)
 
     def sample_means(self, name: str, values: xr.DataArray, dim: str) -> xr.DataArray:
-        """Return an array (sample, surface, ...): first means over scans along `dim`, then samples.
+        """Return (sample, surface, ...): the means over scans along `dim`, then samples of them.
 
         Missing scans are NaN.
         """

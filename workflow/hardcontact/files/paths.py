@@ -36,7 +36,7 @@ class StorePatterns:
         folder = {kind: f"{store}/{kind}/{digest}" for kind, digest in self.digests.items()}
         rough_sphere = f"{plan.selection.sphere}/{{sphere_digest}}"
 
-        # Scans: as read, made together (named by the first of a batch), levelled, mirrored.
+        # Scans: as read, levelled, mirrored; and how a batch, named by its first, was conditioned.
         scans_digest = self.digests["scans"]
         self.measurements = f"{folder['measurements']}/{MEASUREMENT}"
         self.conditioning = f"{store}/conditioning/{scans_digest}/{_SCAN}"
@@ -63,7 +63,7 @@ class StorePatterns:
         self.octave_forces = f"{folder['octave_forces']}/{scan_on_sphere}"
         self.hindcast = f"{folder['hindcast']}/{scan_on_sphere}"
 
-        # Contacts on other surfaces of the same spectrum, some in each file.
+        # Contacts on further random surfaces, several in each file.
         self.pool = f"{folder['pool']}/{contact}/scans-{{first}}-{{last}}.nc"
         self.whole_surfaces = f"{folder['whole_surfaces']}/{contact}/surfaces-{{first}}-{{last}}.nc"
         self.featured_candidates = (

@@ -54,7 +54,7 @@ class Purpose(NamedTuple):
     masters_per_job: int = MASTERS_PER_JOB
     masters_are_files: bool = False  #: Whether masters are files of the store.
     samples_spectra: bool = False  #: Whether each master has a sampled spectrum.
-    rough_sphere: bool = True  #: Whether masters touch the rough sphere, if the study has one.
+    rough_sphere: bool = True  #: Whether `band.sphere_roughness` counts.
     stream: str = "variant"  #: Name of the random numbers: several purposes may share them.
     sides: Sequence[str] = SIDES
     radii_key: str = "sphere.radius"  #: Key of the radius of the sphere, or of several radii.
