@@ -47,7 +47,7 @@ def test_samples_have_the_percentiles_of_the_interval_at_every_range():
 
 def test_samples_keep_the_correlation_between_ranges():
     common = np.random.default_rng(1).lognormal(0, 0.4, (4, 1))
-    values = common * np.array([1.0, 5.0]) ** np.array([1.0, 2.0])
+    values = common * np.array([1.0, 25.0])
     samples = statistics.student_log_samples(np.random.default_rng(0), values, 50)
     np.testing.assert_allclose(samples[:, 1] / samples[:, 0], 25.0)
     assert np.ptp(samples[:, 0]) > 0

@@ -66,7 +66,7 @@ def test_every_file_has_a_record_and_a_dataset_its_origin(snakemake, tmp_path):
 
 @pytest.fixture
 def errors(monkeypatch, capsys):
-    """Return a function that returns the errors of jobs, which end without the process."""
+    """Return a function that returns what failed jobs printed; jobs do not end the process."""
     monkeypatch.setattr(os, "_exit", sys.exit)
     logger = logging.getLogger("hardcontact")
     monkeypatch.setattr(logger, "handlers", [])

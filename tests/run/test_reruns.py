@@ -50,8 +50,8 @@ def study(tmp_path, monkeypatch):
 
 def changes(study, path):
     """Return what changed since a file of the study was made."""
-    needed = {study["fit.nc"]: {study["forces.nc"]: ["forces.nc"]}, study["forces.nc"]: {}}
-    return reruns.Reruns(needed).changes(study[path], path)
+    dependencies = {study["fit.nc"]: {study["forces.nc"]: ["forces.nc"]}, study["forces.nc"]: {}}
+    return reruns.Reruns(dependencies).changes(study[path], path)
 
 
 NOTHING = reruns.Changes(set(), set(), set())
@@ -115,11 +115,11 @@ def test_a_large_file_counts_as_its_record_says(study, monkeypatch):
 
 
 def test_an_input_that_somebody_changed_is_refused_before_a_job_removes_files(study):
-    plan = reruns.Reruns({})
+    made_file_digests = reruns.Reruns({}).made_file_digests
     Path("scan.txt").write_text("another scan")  # which no job made
-    refuse_edited_files(plan.made_file_digests(["scan.txt"]))
+    refuse_edited_files(made_file_digests(["scan.txt"]))
     Path("forces.nc").write_text("changed by hand")
     with pytest.raises(ValueError, match=r"^forces\.nc: expected the file that the study wrote"):
-        refuse_edited_files(plan.made_file_digests(["forces.nc"]))
+        refuse_edited_files(made_file_digests(["forces.nc"]))
     record_path("forces.nc").write_text("{")  # whose file is made again
-    refuse_edited_files(plan.made_file_digests(["forces.nc"]))
+    refuse_edited_files(made_file_digests(["forces.nc"]))
