@@ -17,6 +17,7 @@ STUDY_FILES = [
 #: The paper's study on grids so small that its numbers test nothing but the code.
 TINY = "tests/tiny.yaml"
 PAPER = yaml.safe_load((ROOT / "config/config.yaml").read_text())
+#: The table of surfaces as text, with its header.
 ROWS = (ROOT / "config/surfaces.tsv").read_text()
 #: The header of a description of a substitute.
 DESCRIPTION_HEADER = (

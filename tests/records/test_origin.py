@@ -27,7 +27,12 @@ def test_a_changed_file_of_a_job_is_refused(made_file, tmp_path):
     user_file = tmp_path / "given.csv"
     user_file.write_bytes(bytes(100))
     refuse_edited_files(file_digests([made_file, user_file]))
-    for content in (b"\1" + bytes(99), bytes(99), bytes(101), b""):  # a bit, truncated, longer
+    for content in (
+        b"\1" + bytes(99),
+        bytes(99),
+        bytes(101),
+        b"",
+    ):  # a bit, truncated, longer, empty
         made_file.write_bytes(content)
         os.utime(made_file, (0, 0))
         user_file.write_bytes(content)
