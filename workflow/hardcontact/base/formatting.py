@@ -78,8 +78,8 @@ def _format_in_best_unit(
     """Return a number in the unit that fits best, with its interval if both ends are known."""
     # 999.9 nm is printed as 1 µm, not as 1000 nm: half of the last digit is enough.
     threshold = 1 - 0.5 * 10**-digits
-    fitting = (name for name, size in units.items() if abs(value) >= threshold * size)
-    name = next(fitting, list(units)[-1])
+    fitting_names = (name for name, size in units.items() if abs(value) >= threshold * size)
+    name = next(fitting_names, list(units)[-1])
     if any(map(math.isnan, interval)):
         return f"{_format_digits(value / units[name], digits)} {name}".rstrip()
     scaled = [number / units[name] for number in (value, *interval, *limits)]

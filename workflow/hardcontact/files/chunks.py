@@ -81,10 +81,10 @@ class Chunks:
         if surface is None:
             return []
         # Each set takes one candidate, bumps and pits in turn.
-        set_candidates = ceil(self._study["sets"]["count"] / len(FEATURE_SIGNS))
-        counts = {kind: set_candidates for kind in FEATURE_SIGNS}
+        candidates_per_kind = ceil(self._study["sets"]["count"] / len(FEATURE_SIGNS))
+        counts = {kind: candidates_per_kind for kind in FEATURE_SIGNS}
         # Gaussian surfaces only serve for comparison.
-        counts[GAUSSIAN] = min(set_candidates, CANDIDATES_PER_JOB)
+        counts[GAUSSIAN] = min(candidates_per_kind, CANDIDATES_PER_JOB)
         return [
             CandidateChunk(surface, kind, *span)
             for kind, count in counts.items()

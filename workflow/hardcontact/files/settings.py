@@ -1,7 +1,8 @@
 """The settings of each kind of intermediate: all that its rule takes from the configuration.
 
 A path has a digest of these settings and of those of the kinds that the file is made from, so that
-a changed setting makes new files. Forces on filtered masters have a kind for each of `PURPOSES`.
+a changed setting makes new files. Masters are scans with artificial roughness; the forces on them
+have a kind for each of `PURPOSES`.
 """
 
 import math
@@ -66,7 +67,7 @@ class Purpose(NamedTuple):
 _BAND = Purpose(
     "band.masters", "band", "contact.contacts_per_row", masters_per_job=1, stream="master"
 )
-#: By the name in the paths of their forces.
+#: The purposes of masters, by the name in the paths of their forces.
 PURPOSES = {
     # The band of the study, also with sampled spectra of measured surfaces.
     "band": _BAND._replace(masters_are_files=True),
@@ -120,12 +121,11 @@ def _surface_kinds(plan: StudyPlan) -> dict[str, Intermediate]:
         "measured_scans": Intermediate(levelling, ["measurements"]),
         "substitute_scans": Intermediate(_substitute_settings(study)),
         "scans": Intermediate({}, ["measured_scans", "substitute_scans"]),
-        # Scans and spectra with the roughness of both bodies; as they were if none is added.
+        # Scans and spectra with the roughness of both bodies; unchanged if none is added.
         "both_bodies": Intermediate(
             {**seed, "sphere": sphere} if plan.combined_surfaces else {},
             ["scans", "measured_spectra", "sampled_spectra"],
         ),
-        # Scans with artificial roughness.
         "masters": Intermediate({**seed, "sides": sides}, ["both_bodies"]),
     }
 

@@ -37,7 +37,7 @@ class Job(NamedTuple):
     origin: Origin
 
     def write(self, results: xr.Dataset, title: str, output: int | str = 0) -> None:
-        """Write results with their origin, and meanings from workflow/report/variables.tsv."""
+        """Write results with their origin and the meanings of their variables."""
         path = self.output[output]
         meanings = read_meanings(Path(path).stem)
         complete = describe_variables(results, meanings).assign_attrs(
@@ -55,7 +55,7 @@ class Job(NamedTuple):
 
 @contextmanager
 def run_job(snakemake: Any) -> Iterator[Job]:
-    """Log a script, yield its `Job`, and keep records of its outputs."""
+    """Log a script, yield its `Job`, and keep records of its outputs; refuse changed inputs."""
     # Jobs make hardly any reference cycles; looking for them takes a twentieth of their time.
     gc.disable()
     try:

@@ -76,7 +76,7 @@ def _input_faults(records: Mapping[str, Record], digests_now: Mapping[str, str])
             yield f"{path}: does not match its input {', '.join(changed_inputs)}"
 
 
-def _unrecorded_faults(folder: str | Path, traced: Iterable[str]) -> Iterator[str]:
+def _unrecorded_faults(folder: str | Path, traced_paths: Iterable[str]) -> Iterator[str]:
     """Yield a line for each file without a record, in the study or beside recorded files."""
     study_files = (
         path
@@ -85,7 +85,7 @@ def _unrecorded_faults(folder: str | Path, traced: Iterable[str]) -> Iterator[st
     )
     folders = {
         Path(path).parent
-        for path in traced
+        for path in traced_paths
         # A job made it, even if all records in its folder are lost.
         if (path.startswith("results/") and path not in PIN_FILES)
         or record_path(path).parent.is_dir()

@@ -26,12 +26,12 @@ from hardcontact.surfaces.substitute_spectra import (
     read_segments,
 )
 
-#: Bound on highest minus lowest point of a substitute for a surface of the paper, in nm: about five
-#: times the largest rms height (MCD).
+#: Bound on the relief, highest minus lowest point, of a substitute for a surface of the paper, in
+#: nm: about five times the largest rms height (MCD).
 SUBSTITUTE_RELIEF = 500.0
-#: The same bound relative to the rms height of all waves of a domain. The largest ratio on 24
-#: random surfaces of 10 to 40 um, from descriptions of 18 to 850 nm rms, was 3.7; this is a fifth
-#: more.
+#: Bound on the relief of other substitutes, relative to the rms height of all waves up to the width
+#: of a long-edge master: a fifth more than 3.7, the largest ratio on 24 random surfaces of 10 to
+#: 40 µm, from descriptions of 18 to 850 nm rms.
 RELIEF_OVER_RMS = 4.5
 
 

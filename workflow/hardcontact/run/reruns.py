@@ -64,7 +64,7 @@ class Reruns:
         return Changes(recorded - current, current - recorded, self._changed_inputs(job, record))
 
     def _changed_inputs(self, job: Any, record: Record) -> set[str]:
-        """Return inputs that changed; missing ones only if the lineage of the outputs did."""
+        """Return inputs that changed; missing inputs only if the lineage of the outputs changed."""
         if job not in self._input_digests:
             self._input_digests[job] = {path: self._digest(path) for path in _input_paths(job)}
         inputs = self._input_digests[job]
