@@ -20,7 +20,7 @@ def contact_inputs(configuration: Mapping[str, Any]) -> dict[str, str]:
 def changed_inputs(
     contact: Mapping[str, str], substrates: Sequence[str], table1: pd.DataFrame
 ) -> list[dict[str, str]]:
-    """Return the inputs, from `contact_inputs`, and the coatings that differ from the paper's."""
+    """Return inputs, from `contact_inputs`, and coatings that differ, with both values."""
     # The inputs of the paper are the defaults of a study.
     paper_inputs = contact_inputs(Study().model_dump(warnings=False))
     paper_inputs["coatings"] = ", ".join(sorted(set(table1["surface"])))

@@ -27,13 +27,13 @@ from hardcontact.paper.classical_models import (
     Roughness,
 )
 
-#: Prefixes of the rows of Table 1: roughness of the AFM scans, and roughness of all scales.
+#: Prefixes of the rows of Table 1, for AFM scans and all scales.
 METRIC_PREFIXES = {"afm": "afm", "all_scales": "all"}
 #: Works of adhesion (J/m²) among which the best fit is searched first.
 SEARCHED_WORKS = np.geomspace(1e-3, 10, 401)
 #: Exponents of power laws of roughness parameters that are searched first.
 SEARCHED_EXPONENTS = np.linspace(-8, 8, 321)
-#: Repeated searches, each on a 20 times finer grid about the best value: it is known to 1e-5.
+#: Repeated searches, each on a 20 times finer grid about the best value, to errors of 1e-5.
 REFINEMENTS = 3
 
 
@@ -46,20 +46,20 @@ def apply_classical_models(
 ) -> xr.Dataset:
     """Return classical.nc, from fit.nc and the tables of `published`.
 
-    Intervals follow from the uncertainty of Table 1 and the rounding of printed forces. NaN if the
-    paper prints no force or no roughness of a surface.
+    Intervals follow from the uncertainty of Table 1, the rounding of printed forces and the
+    intervals of computed forces. NaN if the paper prints no force or no roughness of a surface.
     """
     rows = table1.pivot(index="surface", columns="quantity", values=["value", "uncertainty"])
     rows = rows.dropna()
     printed_means = printed["mean_force"].dropna()
-    published = rows.index.intersection(printed_means.index)
-    surfaces = [name for name in fit["surface"].values.tolist() if name in published]
+    published_surfaces = rows.index.intersection(printed_means.index)
+    surfaces = [name for name in fit["surface"].values.tolist() if name in published_surfaces]
     radius = fit.attrs["sphere_radius"]
     work = constants["work_of_adhesion"]
     sphere = ElasticSphere(radius, effective_modulus(constants), constants["equilibrium_spacing"])
     plastic = fit.sel(surface=surfaces, contact_model=PLASTIC, pair="published")
     interval = plastic["mean_force_at_pair_interval"].transpose("surface", "end")
-    # Forces and effective works (surface, 3) are values, low and high ends of intervals.
+    # Forces and effective works (surface, 3): value, low and high end of its interval.
     forces = {
         "published": _rounded_numbers(printed_means[surfaces]),
         "computed": np.column_stack([plastic["mean_force_at_pair"].values, interval.values]),
@@ -71,15 +71,15 @@ def apply_classical_models(
         source: hertz_jkr_dmt.effective_work_of_adhesion(force_and_ends, radius, coefficient)
         for source, force_and_ends in forces.items()
     }
-    models = {}
+    datasets_by_metrics = {}
     for metrics in METRIC_PREFIXES:
         roughness = _sample_roughness(rows.loc[surfaces], metrics, sampling)
         variables = _model_variables(roughness, sphere, work, forces, effective_works, sampling)
-        models[(metrics,)] = xr.Dataset(variables)
+        datasets_by_metrics[(metrics,)] = xr.Dataset(variables)
     pressure = hertz_jkr_dmt.hertz_peak_pressure(constants["preload"], radius, sphere.modulus)
     tabor = hertz_jkr_dmt.tabor_parameter(work, radius, sphere.modulus, sphere.spacing)
     return (
-        stack(models, ["metrics"])
+        stack(datasets_by_metrics, ["metrics"])
         .merge(_forces_and_works(forces, effective_works, sampling.confidence))
         .assign_coords(
             surface=surfaces,
@@ -108,29 +108,28 @@ def _sample_roughness(rows: pd.DataFrame, metrics: str, sampling: Sampling) -> R
 
     rng = sampling.generator(metrics)
     size = sampling.sample_count, len(rows)
-    samples_by_quantity = []
-    for quantity in Roughness._fields:
-        row = f"{METRIC_PREFIXES[metrics]}_rms_{quantity}"
-        mean, spread = rows["value", row].to_numpy(), rows["uncertainty", row].to_numpy()
-        samples = truncnorm.rvs(-mean / spread, np.inf, mean, spread, size=size, random_state=rng)
-        samples_by_quantity.append(np.vstack([mean, samples]))
-    return Roughness(*samples_by_quantity)
+    fields = []
+    for field in Roughness._fields:
+        quantity = f"{METRIC_PREFIXES[metrics]}_rms_{field}"
+        mean, std = rows["value", quantity].to_numpy(), rows["uncertainty", quantity].to_numpy()
+        samples = truncnorm.rvs(-mean / std, np.inf, mean, std, size=size, random_state=rng)
+        fields.append(np.vstack([mean, samples]))
+    return Roughness(*fields)
 
 
 def _rounded_numbers(printed: "pd.Series[str]") -> Floats:
-    """Return printed numbers, and the smallest and largest numbers rounded to them, (n, 3)."""
-    value = printed.astype(float).to_numpy()
+    """Return printed numbers, and the smallest and largest number that round to each, (n, 3)."""
+    values = printed.astype(float).to_numpy()
     exponents = [int(Decimal(number).as_tuple().exponent) for number in printed]
-    half_unit = np.array(
-        [float(f"5e{exponent - 1}") for exponent in exponents]
-    )  # of the last digit
-    return np.stack([value, value - half_unit, value + half_unit], axis=-1)
+    # Half a unit of the last printed digit.
+    half_units = np.array([float(f"5e{exponent - 1}") for exponent in exponents])
+    return np.stack([values, values - half_units, values + half_units], axis=-1)
 
 
 def _forces_and_works(
     forces: Mapping[str, Floats], effective_works: Mapping[str, Floats], confidence: float
 ) -> xr.Dataset:
-    """Return mean forces and effective works as variables."""
+    """Return mean forces and effective works (surface, 3) as variables with intervals."""
     works_and_ends = np.stack(list(effective_works.values()))
     variables = as_variables(
         "effective_work_of_adhesion", ("force_source", "surface"),
@@ -150,7 +149,7 @@ def _model_variables(
     effective_works: Mapping[str, Floats],
     sampling: Sampling,
 ) -> dict[str, Any]:
-    """Return forces and errors of models and errors of power laws, with intervals by sampling."""
+    """Return forces of models, and errors of models and power laws, with sampled intervals."""
     model_forces = [model.force(work, roughness, sphere) for model in CLASSICAL_MODELS.values()]
     errors = [
         [classical_error(model, roughness, sphere, force[:, 0]) for force in forces.values()]
@@ -186,12 +185,13 @@ def classical_error(
     if model.is_proportional:
         _, error = fit_work(model.force(1.0, roughness, sphere)[..., None], target)
         return error[..., 0]
-    columns = Roughness(*(values[..., None] for values in roughness))  # (..., surface, 1)
+    roughness_columns = Roughness(*(field[..., None] for field in roughness))  # (..., surface, 1)
     log_work_limits = np.log(SEARCHED_WORKS[[0, -1]])
 
     def error_at(log_works: Floats) -> Floats:
         trial_works = np.exp(np.clip(log_works, *log_work_limits))
-        forces = model.force(trial_works[..., None, :], columns, sphere)
+        # Forces (..., surface, k) include their works, so the factor is 1.
+        forces = model.force(trial_works[..., None, :], roughness_columns, sphere)
         return mean_relative_error(forces, target, np.ones(1))[..., 0]
 
     return _search_minimum(error_at, np.log(SEARCHED_WORKS), roughness.height.shape[:-1])
@@ -211,7 +211,7 @@ def power_law_error(parameter: Floats, effective_works: Floats) -> Floats:
 def _search_minimum(
     error_at: Callable[[Floats], Floats], grid: Floats, shape: tuple[int, ...]
 ) -> Floats:
-    """Return the smallest error (...) on an even grid, refined about the best value.
+    """Return the smallest error (...) on an even grid that is refined about the best value.
 
     `error_at` returns the errors (..., k) at values (..., k); `shape` is that of the result.
     """

@@ -17,7 +17,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.units import NANOMETRE
 from hardcontact.contact.hertz_jkr_dmt import Values, dmt_pull_off, jkr_pull_off
 
-#: Close-packed hemispheres of radius r, heights from their base: rms² = π r²/4√3.
+#: Close-packed hemispheres: radius r over rms height from their base, rms² = πr²/4√3.
 HEMISPHERE_OVER_RMS = (4 * np.sqrt(3) / np.pi) ** 0.5
 #: Rabinovich et al.: largest height of an asperity relative to the rms height.
 PEAK_OVER_RMS = 1.817
@@ -27,17 +27,17 @@ _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(160)
 _NODES, _WEIGHTS = (_NODES + 1) / 2, _WEIGHTS / 2
 #: Range of elastic adhesion indices over which relative forces are tabulated.
 ADHESION_INDICES = (1e-4, 1e7)
-#: Upper end of the integral over asperity heights, in their standard deviations.
+#: Limit of the integral over asperity heights, in their standard deviations.
 MAX_HEIGHT_DEVIATIONS = 9.0
 
-#: Tension of asperities by compression, relative to the pull-off force of a single asperity.
+#: Tension of an asperity relative to its pull-off force, as a function of its compression.
 Tension = Callable[[Floats], Values]
 
 
 class ElasticSphere(NamedTuple):
     """A smooth sphere and its materials, the same for all models."""
 
-    radius: float  #: Radius of the sphere in nm.
+    radius: float  #: In nm.
     modulus: float  #: Effective modulus E* in Pa.
     spacing: float  #: Equilibrium spacing in nm.
 
@@ -66,8 +66,8 @@ def rumpf(work: Values, asperity_radius: Values, sphere: ElasticSphere) -> Value
     12πz0²W, z0 the spacing. Rumpf, Particle Technology (1990).
     """
     reduced_radius = asperity_radius * sphere.radius / (asperity_radius + sphere.radius)
-    plane_part = sphere.radius / (1 + asperity_radius / sphere.spacing) ** 2
-    return dmt_pull_off(work, reduced_radius + plane_part)
+    plane_term = sphere.radius / (1 + asperity_radius / sphere.spacing) ** 2
+    return dmt_pull_off(work, reduced_radius + plane_term)
 
 
 def rabinovich(work: Values, roughness: Roughness, sphere: ElasticSphere) -> Values:
@@ -77,11 +77,11 @@ def rabinovich(work: Values, roughness: Roughness, sphere: ElasticSphere) -> Val
     are kσ high and λ/2 wide, for the rms height σ and the distance λ between peaks, 2πσ over the
     rms slope. Rabinovich et al., J. Colloid Interface Sci. 232 (2000) 10 and 17.
     """
-    distance = 2 * np.pi * roughness.height / roughness.slope
-    peak = PEAK_OVER_RMS * roughness.height
-    contact_share = 1 / (1 + 32 * peak * sphere.radius / distance**2)
-    sphere_share = 1 / (1 + peak / sphere.spacing) ** 2
-    return dmt_pull_off(work, sphere.radius) * (contact_share + sphere_share)
+    peak_distance = 2 * np.pi * roughness.height / roughness.slope
+    cap_height = PEAK_OVER_RMS * roughness.height
+    cap_term = 1 / (1 + 32 * cap_height * sphere.radius / peak_distance**2)
+    plane_term = 1 / (1 + cap_height / sphere.spacing) ** 2
+    return dmt_pull_off(work, sphere.radius) * (cap_term + plane_term)
 
 
 def adhesion_index(work: Values, roughness: Roughness, modulus: float) -> Values:
@@ -90,8 +90,8 @@ def adhesion_index(work: Values, roughness: Roughness, modulus: float) -> Values
     The standard deviation of their heights is σ. Fuller and Tabor, Proc. R. Soc. A 345 (1975) 327.
     """
     height = roughness.height * NANOMETRE
-    asperity = 1 / roughness.curvature * NANOMETRE
-    return modulus * height**1.5 / (np.sqrt(asperity) * work)
+    asperity_radius = 1 / roughness.curvature * NANOMETRE
+    return modulus * height**1.5 / (np.sqrt(asperity_radius) * work)
 
 
 def fuller_tabor(work: Values, roughness: Roughness, sphere: ElasticSphere) -> Values:
@@ -120,26 +120,27 @@ def maugis_rough_dmt(work: Values, roughness: Roughness, sphere: ElasticSphere) 
 def _jkr_tension(compression: Floats) -> Values:
     """Return the tension of an asperity relative to its pull-off force 1.5πβW.
 
-    The compression, in (π²W²β/K²)^⅓, is zero where the asperity detaches at fixed grips. It is
-    quartic in the root of the contact radius, whose only root Newton's iteration finds from above.
+    The compression, in (π²W²β/K²)^⅓ with K = 4E*/3, is zero where the asperity detaches at fixed
+    grips. It is a quartic polynomial of the square root x of the contact radius.
     """
-    smallest = 6 ** (-1 / 6)
-    excess = np.minimum(np.sqrt(compression / 6) / smallest, compression**0.25)
+    smallest_x = 6 ** (-1 / 6)  # at detachment
+    # Newton's iteration finds the excess of x over the smallest x, from above.
+    excess = np.minimum(np.sqrt(compression / 6) / smallest_x, compression**0.25)
     for _ in range(7):
-        value = excess**2 * (excess**2 + 4 * smallest * excess + 6 * smallest**2) - compression
-        slope = excess * (4 * excess**2 + 12 * smallest * excess + 12 * smallest**2)
+        value = excess**2 * (excess**2 + 4 * smallest_x * excess + 6 * smallest_x**2) - compression
+        slope = excess * (4 * excess**2 + 12 * smallest_x * excess + 12 * smallest_x**2)
         excess = excess - np.divide(value, slope, out=np.zeros_like(excess), where=slope > 0)
-    cube = (smallest + excess) ** 3
-    return (np.sqrt(6) * cube - cube**2) / 1.5
+    x_cubed = (smallest_x + excess) ** 3
+    return (np.sqrt(6) * x_cubed - x_cubed**2) / 1.5
 
 
 def _dmt_tension(compression: Floats) -> Values:
-    """Return the tension relative to 2πβW; the compression, in (2πβW/Kβ^½)^⅔, balances it at 1."""
+    """Return the tension relative to 2πβW, zero at the compression 1, in (2πβW/Kβ^½)^⅔."""
     return 1 - compression**1.5
 
 
 def _log_largest_tension(tension: Tension, spread: float) -> float:
-    """Return the logarithm of the largest mean tension of asperities over all separations."""
+    """Return ln(largest mean tension over all separations); `_force_spline` has the spread."""
     lowest, highest = -3 / spread - 12, 10 + 6 * spread
     # From this separation on the asperities pull more than they push. The limits contain it for all
     # adhesion indices of the table.
@@ -147,13 +148,13 @@ def _log_largest_tension(tension: Tension, spread: float) -> float:
         lambda separation: _mean_tension(tension, spread, separation)[0], lowest, highest
     )
 
-    def minus_logarithm(logarithm: float) -> float:
-        value, exponent = _mean_tension(tension, spread, balance + np.exp(logarithm))
+    def minus_log_tension(log_distance: float) -> float:
+        value, exponent = _mean_tension(tension, spread, balance + np.exp(log_distance))
         return -(np.log(value) + exponent) if value > 0 else np.inf
 
-    ends = np.log(1e-8), np.log(highest - balance)
+    bounds = np.log(1e-8), np.log(highest - balance)
     minimum = minimize_scalar(
-        minus_logarithm, bounds=ends, method="bounded", options={"xatol": 1e-7}
+        minus_log_tension, bounds=bounds, method="bounded", options={"xatol": 1e-7}
     )
     return float(-minimum.fun - np.log(2 * np.pi) / 2)
 
@@ -164,6 +165,7 @@ def _mean_tension(tension: Tension, spread: float, separation: float) -> tuple[f
     The separation is in standard deviations of heights; an asperity of mean height detaches at 0.
     The exponent prevents an underflow between separated surfaces.
     """
+    # Beyond both ends the density is below exp(-MAX_HEIGHT_DEVIATIONS²/2) of its maximum.
     low = max(0.0, -MAX_HEIGHT_DEVIATIONS - separation)
     high = (
         MAX_HEIGHT_DEVIATIONS**2 / (separation + np.hypot(separation, MAX_HEIGHT_DEVIATIONS))
@@ -172,28 +174,28 @@ def _mean_tension(tension: Tension, spread: float, separation: float) -> tuple[f
     )
     exponent = -(max(separation, 0.0) ** 2) / 2
     # Nodes are squared, because the tension of JKR asperities begins as a square root.
-    height = low + (high - low) * _NODES**2
+    compression = low + (high - low) * _NODES**2
     weight = 2 * (high - low) * _NODES * _WEIGHTS
-    density = np.exp(-((separation + height) ** 2) / 2 - exponent)
-    return float(np.sum(weight * density * tension(spread * height))), exponent
+    density = np.exp(-((separation + compression) ** 2) / 2 - exponent)
+    return float(np.sum(weight * density * tension(spread * compression))), exponent
 
 
 @lru_cache
-def _force_spline(tension: Tension, factor: float) -> CubicSpline:
+def _force_spline(tension: Tension, spread_factor: float) -> CubicSpline:
     """Return a spline of ln(-ln r) by ln θ: relative pull-off force r at the adhesion index θ.
 
-    The spread of heights in the unit of the compression is (factor θ²/9π²)^⅓.
+    The spread of heights in the unit of the compression is (spread_factor θ²/9π²)^⅓.
     """
     indices = np.geomspace(*ADHESION_INDICES, 221)
-    spreads = np.cbrt(factor * indices**2 / (9 * np.pi**2))
-    logarithms = np.array([_log_largest_tension(tension, spread) for spread in spreads])
-    return CubicSpline(np.log(indices), np.log(-logarithms))
+    spreads = np.cbrt(spread_factor * indices**2 / (9 * np.pi**2))
+    log_forces = np.array([_log_largest_tension(tension, spread) for spread in spreads])
+    return CubicSpline(np.log(indices), np.log(-log_forces))
 
 
-def _relative_pull_off(tension: Tension, factor: float, index: Values) -> Values:
-    """Return the pull-off force of asperities relative to as many asperities of equal height."""
+def _relative_pull_off(tension: Tension, spread_factor: float, index: Values) -> Values:
+    """Return the pull-off force of asperities relative to asperities of equal height."""
     log_index = np.log(np.clip(index, *ADHESION_INDICES))
-    return np.exp(-np.exp(_force_spline(tension, factor)(log_index)))
+    return np.exp(-np.exp(_force_spline(tension, spread_factor)(log_index)))
 
 
 CLASSICAL_MODELS = {

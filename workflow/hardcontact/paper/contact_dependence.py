@@ -38,8 +38,8 @@ def force_exponent(forces: xr.Dataset, contact_area: float, confidence: float) -
     """
     long_wave_forces = forces["unfiltered_pull_off_force"].sel(side="long")
     means = long_wave_forces.sel(contact_area=contact_area, method="nearest").mean(CONTACT_AXES)
-    logarithms = xr.DataArray(np.log(means)).assign_coords(radius=np.log(means["radius"]))
-    slopes = logarithms.polyfit("radius", 1)["polyfit_coefficients"].sel(degree=1, drop=True)
+    log_means = xr.DataArray(np.log(means)).assign_coords(radius=np.log(means["radius"]))
+    slopes = log_means.polyfit("radius", 1)["polyfit_coefficients"].sel(degree=1, drop=True)
     interval = student_interval(slopes, confidence, "realization").transpose("surface", "end")
     exponent = slopes.mean("realization")
     variables = as_variables(
@@ -65,12 +65,13 @@ def edge_exponents(forces: xr.Dataset, tolerance: float, confidence: float) -> x
     variables = as_variables(
         "edge_exponent", dimensions, exponents, np.log(interval), DIMENSIONLESS, confidence
     )
-    names = {name: forces[name].values for name in dimensions[:2]}
-    return xr.Dataset(variables, names | {"exponent_of": SCALED_QUANTITIES})
+    coordinates = {name: forces[name].values for name in ("surface", "side")}
+    return xr.Dataset(variables, coordinates | {"exponent_of": SCALED_QUANTITIES})
 
 
 def _fit_all_edges(forces: xr.Dataset, tolerance: float) -> Floats:
     """Return the exponents (surface, side, exponent_of) of the edges of all surfaces."""
+    # Pixels, and so the areas, are the same on all masters of a side.
     touching_area = forces["touching_area"].isel(surface=0, realization=0)
     log_roots = [np.log(forces["radius"]) / 2, np.log(touching_area) / 2]
     curves = xr.ufuncs.log(forces["filtered_force_ratio"].mean("realization", skipna=False))
@@ -89,7 +90,8 @@ def _fit_all_edges(forces: xr.Dataset, tolerance: float) -> Floats:
 def _fit_edges(log_edge: Floats, log_radius_root: Floats, log_area_root: Floats) -> Floats:
     """Return the exponents (2,) of SCALED_QUANTITIES for the edges of one surface and side.
 
-    Open edges (radius, contact_area) are NaN. Exponents that the others do not determine are NaN.
+    Open edges (radius, contact_area) are NaN. Exponents are NaN if fewer than four edges are found,
+    or found edges do not determine both.
     """
     log_roots = np.broadcast_arrays(log_radius_root[:, None], log_area_root)
     is_found = np.isfinite(log_edge)
@@ -112,13 +114,13 @@ def compute_edge_shifts(forces: xr.Dataset, tolerance: float, sampling: Sampling
     forces = forces.squeeze("radius", drop=True).sortby("contact_area").drop_vars("contact_area")
     forces = forces.rename(loading="contact_model").assign_coords(contact_model=CONTACT_MODELS)
     edges, sampled_edges = edges_of_masters(forces, tolerance, sampling)
-    shortest, longest = forces["rho"].min().item(), forces["rho"].max().item()
-    complete = sampled_edges.sel(contact_model=PLASTIC, rho=longest, drop=True)
+    shortest_range, longest_range = forces["rho"].min().item(), forces["rho"].max().item()
+    with_both_causes = sampled_edges.sel(contact_model=PLASTIC, rho=longest_range, drop=True)
     without_cause = {
-        "plasticity": sampled_edges.sel(contact_model=RIGID, rho=longest, drop=True),
-        "range": sampled_edges.sel(contact_model=PLASTIC, rho=shortest, drop=True),
+        "plasticity": sampled_edges.sel(contact_model=RIGID, rho=longest_range, drop=True),
+        "range": sampled_edges.sel(contact_model=PLASTIC, rho=shortest_range, drop=True),
     }
-    shifts = np.stack([complete / edge for edge in without_cause.values()], axis=1)
+    shifts = np.stack([with_both_causes / edge for edge in without_cause.values()], axis=1)
     variables = sampling.sampled_variables(
         "edge_shift", ("cause", "side", "group"), shifts, DIMENSIONLESS
     )

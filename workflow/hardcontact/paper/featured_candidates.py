@@ -98,11 +98,13 @@ def compare_features(
             {"surface": "", "label": "", "source": "substitute"},
         )
     ((surface, candidates),) = candidates_by_surface(chunks).items()
-    factor = sphere_factors.sel(contact_model=PLASTIC, surface=surface, drop=True)
+    sphere_factor = sphere_factors.sel(contact_model=PLASTIC, surface=surface, drop=True)
     targets = published.forces.loc[surface].to_dict()
     statistics = [
-        _candidate_statistics(forces.sel(contact_model=PLASTIC), factor, published.pair, targets)
-        for forces in candidates.values()
+        _candidate_statistics(
+            kind_candidates.sel(contact_model=PLASTIC), sphere_factor, published.pair, targets
+        )
+        for kind_candidates in candidates.values()
     ]
     log_std = log_std_of_lognormal(targets["mean_force"], targets["median_force"])
     kinds = pd.Index(list(candidates), name="features")
@@ -125,12 +127,12 @@ def _candidate_statistics(
     """Return the features and CANDIDATE_STATISTICS (candidate,) of plastic forces at a pair."""
     rho, work = pair
     forces = work * interpolate_forces(candidates["pull_off_force"] * sphere_factor, rho)
-    contacts = forces.stack(contact=("scan", *CONTACT_AXES)).transpose("candidate", "contact")
-    mean = contacts.values.mean(axis=1)
-    median = np.median(contacts, axis=1)
+    contact_forces = forces.stack(contact=("scan", *CONTACT_AXES)).transpose("candidate", "contact")
+    mean = contact_forces.values.mean(axis=1)
+    median = np.median(contact_forces, axis=1)
     factors = np.array([mean / targets["mean_force"], median / targets["median_force"]])
     agrees = (np.abs(np.log(factors)) <= np.log(MAX_FORCE_FACTOR)).all(axis=0)
-    values = (mean, median, np.log(contacts.values).std(axis=1), agrees.astype(float))
+    values = (mean, median, np.log(contact_forces.values).std(axis=1), agrees.astype(float))
     statistics = {
         name: ("candidate", value, unit)
         for (name, unit), value in zip(CANDIDATE_STATISTICS.items(), values, strict=True)

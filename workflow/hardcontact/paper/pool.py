@@ -1,6 +1,6 @@
 """Pool of substitute scans: their forces at several rms heights, and the scans that a set takes.
 
-A set is a random choice of scans, whose rms heights it scales to Table 1. Its forces are
+A set is a random choice of scans, whose rms heights are scaled to Table 1. Forces on a set are
 interpolated between the forces at a few rms heights, which span all heights that sets need.
 """
 
@@ -31,7 +31,7 @@ from hardcontact.surfaces.synthesis import sample_scan
 
 #: Smallest rms height of a pool relative to the mean: sets with smoother scans are sampled again.
 MIN_HEIGHT_RATIO = 0.05
-#: Largest number of tries to find a set with possible heights.
+#: Largest number of tries to find a set without smoother scans.
 MAX_TRIES = 1000
 
 
@@ -39,8 +39,8 @@ def pool_rms_heights(targets: Targets, scan_count: int, height_count: int) -> Fl
     """Return the ascending rms heights (n,) in nm at which the forces of a pool are computed.
 
     In a set of k scans none is more than (k - 1)/sqrt(k) standard deviations from their mean, so
-    the heights reach that far. Their square roots are evenly spaced, because forces change faster
-    at small heights. A single scan needs only the mean.
+    the heights reach that far, but not below MIN_HEIGHT_RATIO. Their square roots are evenly
+    spaced, because forces change faster at small heights. A single scan needs only the mean.
     """
     mean = targets.means["rms_height"]
     if scan_count == 1:
@@ -85,10 +85,10 @@ def _forces_at_heights(
     ]
     axis = xr.Variable("rms_height_of_force", rms_heights, NM)
     log_force: xr.DataArray = xr.apply_ufunc(np.log, xr.concat(forces, axis.dims[0]))
-    contacts = range(contact.contacts_per_row)
+    contact_numbers = range(contact.contacts_per_row)
     log_force = log_force.astype("float32").assign_attrs(DIMENSIONLESS)
     return roughness.assign(log_force=log_force).assign_coords(
-        rms_height_of_force=axis, contact_y=contacts, contact_x=contacts
+        rms_height_of_force=axis, contact_y=contact_numbers, contact_x=contact_numbers
     )
 
 
@@ -102,7 +102,7 @@ def scans_of_set(pool: xr.Dataset, rng: np.random.Generator, scan_count: int) ->
     """Return the scans of one substrate in a set, sampled from its pool without replacement.
 
     Their rms heights have the mean and the standard deviation of Table 1. Raises ValueError if no
-    set is found whose heights are above the lowest height of the pool.
+    set is found whose heights reach the lowest height of the pool.
     """
     lowest = pool["rms_height_of_force"].values.min()
     mean = pool.attrs["mean_rms_height"]
@@ -121,8 +121,7 @@ def scans_of_set(pool: xr.Dataset, rng: np.random.Generator, scan_count: int) ->
 def _scale_scans(scans: xr.Dataset, heights: Floats) -> xr.Dataset:
     """Return the forces and metrics of scans of a pool at other rms heights (scan,) in nm."""
     factor = heights / scans["rms_height"].values
-    # The spline is smooth in the root, because forces change faster at small heights. It is
-    # extrapolated, because rounding may take a height slightly beyond the computed heights.
+    # Extrapolated, because rounding may take a height slightly beyond the computed heights.
     computed_roots = np.sqrt(scans["rms_height_of_force"].values)
     weights = spline_weights(computed_roots, np.sqrt(heights), extrapolate=True)
     log_forces = np.einsum("na,na...->n...", weights, scans["log_force"].values)

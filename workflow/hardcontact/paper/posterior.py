@@ -1,8 +1,8 @@
 """Posterior of range and work of adhesion: the probability of pairs, given published mean forces.
 
-A replicate is one set of possible mean forces: from a set of scans, or drawn from the distribution
-of the means on whole surfaces. All replicates weigh the same. The priors of range and work are
-uniform in their logarithms.
+A replicate has one possible mean force on each surface: from a set of scans, or drawn from the
+distribution of the means on whole surfaces. All replicates weigh the same. The priors of range and
+work are uniform in their logarithms.
 """
 
 import numpy as np
@@ -21,8 +21,8 @@ from hardcontact.base.statistics import (
 from hardcontact.base.units import JOULE_PER_M2, NM
 from hardcontact.inference.fit import fine_ranges, interpolate_to_ranges
 
-#: Number of independent forces in a published mean. The paper used at least six spheres; tests with
-#: the same sphere share its summits, so that each sphere counts as a single test.
+#: Number of independent forces in a published mean: the paper used at least six spheres, and tests
+#: with the same sphere share its summits.
 INDEPENDENT_FORCES = 6
 #: Label of the posterior of all surfaces.
 NONE_LEFT_OUT = "none"
@@ -65,14 +65,14 @@ def posterior_of_forces(
     ranges = fine_ranges(forces["rho"].values)
     curves = interpolate_to_ranges(forces.values, forces["rho"].values, ranges)
     log_stds = log_std_of_lognormal(targets["mean_force"], targets["median_force"])
-    index, log_works = sample_range_and_work(
+    range_index, log_works = sample_range_and_work(
         np.log(curves),
         np.log(targets["mean_force"].to_numpy()),
         log_mean_error(log_stds, INDEPENDENT_FORCES),
         sampling.generator(*forces["surface"].values.tolist()),
         sampling.sample_count,
     )
-    return summarize_samples(ranges[index], np.exp(log_works), sampling.confidence)
+    return summarize_samples(ranges[range_index], np.exp(log_works), sampling.confidence)
 
 
 def posterior_dataset(
@@ -90,7 +90,6 @@ def posterior_dataset(
     if whole_surface_forces is not None:
         means = sampling.sample_means("whole surfaces", whole_surface_forces, "map")
         samples = means.isel(sample=slice(1, None)).rename(sample="replicate")
-        # The factor makes the sphere rough.
         forces["whole surfaces"] = samples * sets["sphere_factor"].sel(rho=samples["rho"])
     posteriors = {}
     for name, mean_forces in forces.items():

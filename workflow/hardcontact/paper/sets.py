@@ -1,8 +1,8 @@
 """Sets of scans: forces, fit, band and claims of each, computed as for the study, for sets.nc.
 
-A set has as many scans and masters of each substrate as the study. Its scans come from the pool of
-the substrate (`pool`), or are a candidate with features (`featured_candidates`). Its masters are
-sampled with replacement from those that all sets share, and are not scaled to Table 1 again.
+A set has as many scans and masters of each substrate as the study. Its scans of a substrate come
+from `pool`, are a candidate of `featured_candidates`, or stay those of the study. Its masters are
+sampled with replacement from masters that all sets share.
 """
 
 from collections.abc import Mapping, Sequence
@@ -94,8 +94,8 @@ def topography_of_set(
     ]
     set_scans = xr.concat(metrics, topography["surface"], join="outer")
     # Spectra, not scans, determine roughness of all scales: it is that of the study.
-    all_scales = [name for name in topography if str(name).startswith("all_scales_")]
-    unchanged = topography[[*all_scales, "label", "source", "table1_rows_met"]]
+    all_scales_names = [name for name in topography if str(name).startswith("all_scales_")]
+    unchanged = topography[[*all_scales_names, "label", "source", "table1_rows_met"]]
     averages = scan_averages(set_scans, confidence)
     return xr.merge([unchanged, set_scans, averages], combine_attrs="override")
 
@@ -105,13 +105,12 @@ def adhesion_of_set(
 ) -> xr.Dataset:
     """Return the pull-off forces of a set, as in adhesion.nc.
 
-    Other substrates than those of `sampled_scans` keep their scans and get a sampled mean.
+    Substrates without `sampled_scans` keep their scans and get a sampled mean.
     """
     adhesion = inputs.adhesion
     surface_forces = []
     for surface in adhesion["surface"].values.tolist():
         if surface in sampled_scans:
-            # The factor makes the sphere rough.
             factor = inputs.sphere_factor.sel(surface=surface, drop=True)
             rough_sphere_forces = sampled_scans[surface]["pull_off_force"] * factor
             forces = rough_sphere_forces.expand_dims(sphere_scan=[1])
@@ -128,7 +127,7 @@ def adhesion_of_set(
 
 
 def scale_to_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.DataArray:
-    """Return forces, scaled to a mean that other scans might have; unchanged for a single scan."""
+    """Return forces scaled to means that other scans might have; unchanged for a single scan."""
     axes = ("scan", "contact_model", "rho")
     means = mean_over_contacts(forces).transpose(*axes)
     if means.sizes["scan"] < 2:
@@ -158,25 +157,25 @@ def sample_sets(
     published: PublishedForces,
     settings: SetSettings,
 ) -> xr.Dataset:
-    """Return sets.nc: of each set the values (set, claim) of claims, the fit and the edges."""
-    numbers = range(1, settings.set_count + 1)
-    sets: list[dict[str, xr.Dataset]] = []
-    batches = []
-    for set_number in progress(numbers, len(numbers), "sets"):
-        sets.append(_set_datasets(inputs, published, settings, set_number))
-        if len(sets) < SETS_AT_ONCE and set_number < settings.set_count:
+    """Return sets.nc: values (set, claim) of claims, fit and edges of each set, sphere factor."""
+    set_numbers = range(1, settings.set_count + 1)
+    batch: list[dict[str, xr.Dataset]] = []
+    results = []
+    for set_number in progress(set_numbers, len(set_numbers), "sets"):
+        batch.append(_set_datasets(inputs, published, settings, set_number))
+        if len(batch) < SETS_AT_ONCE and set_number < settings.set_count:
             continue
-        datasets = {name: xr.concat([data[name] for data in sets], "set") for name in sets[0]}
+        datasets = {name: xr.concat([member[name] for member in batch], "set") for name in batch[0]}
         variables = [
             claim_values(claims, datasets, constants).to_dataset(name="value"),
             datasets["fit"][SET_FIT_VARIABLES],
             datasets["edges"][SET_EDGE_VARIABLES],
         ]
-        batches.append(xr.merge(variables, join="exact", combine_attrs="drop_conflicts"))
-        sets = []
+        results.append(xr.merge(variables, join="exact", combine_attrs="drop_conflicts"))
+        batch = []
     return (
-        xr.concat(batches, "set")
-        .assign_coords(set=numbers)
+        xr.concat(results, "set")
+        .assign_coords(set=set_numbers)
         .assign(sphere_factor=inputs.sphere_factor.assign_attrs(DIMENSIONLESS))
     )
 
@@ -185,7 +184,7 @@ def _set_datasets(
     inputs: SetInputs, published: PublishedForces, settings: SetSettings, set_number: int
 ) -> dict[str, xr.Dataset]:
     """Return the datasets of one set by the names that claims give them."""
-    # A set needs no intervals, because all sets together give them: no random samples.
+    # No random samples, because all sets together give the intervals.
     sampling = Sampling(settings.seed, 0, settings.confidence)
     sampled_scans = sample_set_scans(inputs, settings.seed, set_number)
     adhesion = adhesion_of_set(inputs, sampled_scans, settings.seed, set_number)
