@@ -38,7 +38,7 @@ MAX_GENERATIONS = 8
 MAX_WAVELENGTH_PER_HALF_WIDTH = 2.5
 #: Smallest rms height on a summit that counts as roughness, in ranges of adhesion.
 MIN_ROUGHNESS_PER_RANGE = 0.005
-#: Number of cutoffs between both ends of the spectrum at which edges are looked for.
+#: Number of cutoffs, from end to end of the spectrum, at which edges are looked for.
 CUTOFF_COUNT = 60
 
 
@@ -78,7 +78,7 @@ def wide_contact_message(contact: Contact) -> str:
 
 
 def smooth_force(contact: Contact) -> float:
-    """Return the force (N) on a smooth surface: the force of DMT plus the area in contact."""
+    """Return the force (N) on a smooth surface: of DMT, plus that of the area in contact."""
     return float(smooth_pull_off(contact.work, contact.radius, contact.area, contact.rho))
 
 
@@ -138,28 +138,28 @@ def _mean_terms(
 
 
 def _close_share(apex: ApexDistribution, relative_rms: float) -> Floats:
-    """Return the share (n,) of attraction by points on summits (theory.md, Close points)."""
+    """Return the share (n,) of close points in the attraction (theory.md, Close points)."""
     summit_height = 1 / max(apex.mean(), 1.0)  # relative to the rms height
 
     def both_terms(level: Floats) -> Floats:
         return surface_term(level, relative_rms) + special.ndtr(-level)
 
-    lowered = np.exp(-summit_height * relative_rms) * both_terms(apex.levels - summit_height)
-    return np.asarray(1 - lowered / both_terms(apex.levels))
+    other_points = np.exp(-summit_height * relative_rms) * both_terms(apex.levels - summit_height)
+    return np.asarray(1 - other_points / both_terms(apex.levels))
 
 
 def _roughness_on_summit(
     spectrum: Spectrum, apex: ApexDistribution, contact: Contact
 ) -> tuple[Spectrum, Contact] | None:
-    """Return spectrum and contact of a touching summit (theory.md, Rough summits), if rough."""
-    lowest = 2 * np.pi / (MAX_WAVELENGTH_PER_HALF_WIDTH * apex.half_width)
-    summit_spectrum = spectrum_between(spectrum, lowest, np.inf)
+    """Return spectrum and contact of a touching summit (theory.md, Rough summits), or None."""
+    min_wavevector = 2 * np.pi / (MAX_WAVELENGTH_PER_HALF_WIDTH * apex.half_width)
+    summit_spectrum = spectrum_between(spectrum, min_wavevector, np.inf)
     min_variance = (MIN_ROUGHNESS_PER_RANGE * contact.rho) ** 2
     if summit_spectrum is None or spectral_moment(summit_spectrum, 0) < min_variance:
         return None
     sigma = np.sqrt(spectral_moment(spectrum, 0))
     radius = min(apex.half_width**2 * max(apex.mean(), 1.0) / (2 * sigma), contact.radius)
-    summit_load = contact.hardness * np.pi * apex.half_width**2 * 1e-18
+    summit_load = contact.hardness * np.pi * apex.half_width**2 * 1e-18  # nm² to m²
     summit_contact = replace(contact, radius=radius, preload=min(contact.preload, summit_load))
     return summit_spectrum, summit_contact
 

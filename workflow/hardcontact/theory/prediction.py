@@ -49,8 +49,9 @@ def prediction(
 ) -> dict[str, Number]:
     """Predict the pull-off force and both edges of a sphere on a rough surface, in closed form.
 
-    If the error is not known, intervals are NaN, and force and edges are OUTSIDE. Raises ValueError
-    if `trim_spectrum` refuses the spectrum; messages call it `name`.
+    If the error is not known, intervals are NaN, and force and finite edges are OUTSIDE. Scans with
+    steep sidewalls have no edges and the force NaN. Raises ValueError if `trim_spectrum` refuses
+    the spectrum; messages call it `name`.
     """
     trimmed = trim_spectrum(spectrum, name)
     inputs = _input_numbers(trimmed, contact, tolerance)
@@ -73,6 +74,7 @@ def prediction(
         extrapolated_force, *_ = extrapolated
         change = _force_change("extrapolated_change", extrapolated_force.value, form)
     else:
+        # A spectrum that ends in zeros has no shorter waves.
         is_unknown = extrapolation is None and spectrum.density[-1] > 0
         status = Effect.UNKNOWN if is_unknown else Effect.NEGLIGIBLE
         change = Number("extrapolated_change", math.nan, status=status)
@@ -158,6 +160,7 @@ def _reliable_force(scans: ScanSpectrum, contact: Contact, tolerance: float, nam
     reliable_waves = reliable_spectrum(scans.joined_dataset, scans.skewness)
     numbers = prediction(reliable_waves, contact, tolerance, name)
     force = numbers["closed_form_force"]
+    # If the waves are extrapolated, only the error of the extrapolated force may be known.
     status = numbers.get("extrapolated_force", force).status
     return Number("reliable_force", force.value, "N", status=status)
 
@@ -188,13 +191,13 @@ class _Extrapolation(NamedTuple):
     """A spectrum that is extrapolated to short waves, and to long waves up to a roll-off."""
 
     density: Floats  #: C_iso in nm⁴ at WAVEVECTORS, constant at wavelengths above the roll-off.
-    rolloff: float  #: Roll-off in nm; for a table its longest wavelength.
+    rolloff: float  #: Roll-off in nm; without scans the longest wavelength.
     hurst: float  #: Hurst exponent of the extrapolated short waves; NaN if there are none.
     ended_by: str  #: What ends the extrapolated short waves: `Tail.tail_ended_by`.
 
 
 def _extrapolate(spectrum: Spectrum, trimmed: Spectrum) -> _Extrapolation | None:
-    """Return the extrapolation of a spectrum; None if it is not known."""
+    """Return the extrapolation of a spectrum; None if it is not known or not needed."""
     if isinstance(spectrum, ScanSpectrum):
         ends = spectrum.joined_dataset.attrs
         if not ends["tail_known"]:

@@ -128,12 +128,12 @@ def search_size(spectrum: Spectrum, radius: float, area: float) -> float:
 
     At the distance r from the apex the sphere is r²/2R higher, and heights above it are rarer by
     exp(-t r²/(2 R sigma)). Touching points therefore have the rms distance sqrt(2 R sigma/t), half
-    the width.
+    the width. The width is 0 if the sphere follows all waves.
     """
     rough_spectrum = find_rough_spectrum(spectrum, radius)
     if rough_spectrum is None:
         return 0.0
-    # The width would grow without bound at level 0.
+    # At level 0 the width would be infinite.
     apex_level = max(apex_distribution(rough_spectrum, radius, area).mean(), 1.0)
     return float(2 * np.sqrt(2 * radius * np.sqrt(spectral_moment(rough_spectrum, 0)) / apex_level))
 

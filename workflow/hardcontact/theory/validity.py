@@ -49,7 +49,10 @@ class Validity(StrEnum):
 
 @cache
 def held_out_surfaces() -> pd.DataFrame:
-    """Return the held-out DESIGNED_SURFACES, with ratios of computed to predicted values."""
+    """Return the held-out DESIGNED_SURFACES, with ratios of computed to predicted values.
+
+    Ratios of edges that were not found are NaN.
+    """
     table = pd.read_csv(DESIGNED_SURFACES)
     held_out = table[table["held_out"] == 1].copy()
     for name in VALIDATED_QUANTITIES:
@@ -77,8 +80,8 @@ def table_point(spectrum: Spectrum, contact: Contact, form: ClosedForm) -> dict[
 def mean_hurst_and_change(spectrum: Spectrum, contact_length: float) -> tuple[float, float]:
     """Return the mean Hurst exponent of a spectrum, and its change per decade of wavevector.
 
-    A parabola is fitted to log C_iso against log q, from the peak wavelength to the length of the
-    contact or the shortest wave. NaN if the contact is longer than the peak wavelength.
+    A parabola is fitted to log C_iso against log q, from the peak wavelength to the longer of
+    contact and shortest wave. NaN if the contact is longer than the peak wavelength.
     """
     lowest, highest = 2 * np.pi / peak_wavelength(spectrum), spectrum.wavevector[-1]
     decades = math.log10(min(highest, 2 * np.pi / contact_length) / lowest)
