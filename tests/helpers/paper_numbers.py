@@ -1,4 +1,4 @@
-"""Statements and numbers of the paper, those of its surfaces in their order."""
+"""Claims and numbers of the paper, numbers of surfaces in the order of SUBSTRATES."""
 
 from functools import cache
 
@@ -15,9 +15,9 @@ from hardcontact.surfaces.substitute_spectra import substitute_spectrum
 SUBSTRATES = ["polished_uncd", "uncd", "ncd", "mcd"]
 LABELS = ["polished UNCD", "UNCD", "NCD", "MCD"]
 SURFACES = [*SUBSTRATES, "ruby"]
-#: Mean pull-off forces in N.
+#: Mean pull-off forces on SUBSTRATES in N.
 MEAN_FORCE = np.array([8.8e-6, 0.4e-6, 0.16e-6, 0.11e-6])
-#: Values and uncertainties of the substrates in Table 1: heights in nm, curvatures in 1/nm.
+#: Values and uncertainties of SUBSTRATES in Table 1: heights in nm, curvatures in 1/nm.
 TABLE1 = {
     "afm_rms_height": ([3.2, 17.4, 97.1, 107.1], [1.6, 2.1, 11.2, 12.0]),
     "afm_rms_slope": ([0.04, 0.39, 0.51, 0.49], [0.01, 0.05, 0.07, 0.07]),
@@ -28,7 +28,7 @@ TABLE1 = {
 }
 #: Radius of the sphere in nm.
 RADIUS = 250e3
-#: Range of Maugis' model in nm.
+#: Equilibrium spacing in nm.
 SPACING = 0.3
 #: Work of adhesion in J/m².
 WORK = 0.0463

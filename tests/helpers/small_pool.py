@@ -25,18 +25,18 @@ SUBSTITUTE = Substitute(
     GRID,
     seed=7,
 )
-HEIGHTS = pool_rms_heights(SUBSTITUTE.targets, 5, 7)
-RANGES = [0.05, 1.0, 5.6]
+HEIGHTS = pool_rms_heights(SUBSTITUTE.targets, scan_count=5, height_count=7)
+RANGES = [0.05, 1.0, 5.6]  # nm
 
 
 def raw_scan(number):
-    """Return a scan of the pool as it is sampled."""
-    rng = generator(7, "uncd", number, "pool")
+    """Return a levelled scan of the pool before its rms height is scaled."""
+    rng = generator(SUBSTITUTE.seed, "uncd", number, "pool")
     surface = random_surface(rng, GRID.surface_pixels, GRID.pixel_size, UNCD)
     return level_plane(cut_scan(surface, GRID.pixels))
 
 
 @cache
 def pool_of(*numbers):
-    """Return the pool of some scans."""
+    """Return the pool of scans with these numbers."""
     return compute_pool(numbers, SUBSTITUTE, HEIGHTS, CONTACT, RANGES)

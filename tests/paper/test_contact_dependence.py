@@ -23,19 +23,15 @@ def power_law(radius_exponent, contact_exponent):
 
 
 def curves(*exponents, scatter=0.0):
-    """Return ratios of three realizations whose edges are a known power law.
-
-    The exponents of the realizations scatter about the given exponents, and each edge scatters
-    about the power law of its exponents.
-    """
+    """Return ratios of three realizations: edges are power laws with scattered exponents."""
     cutoff = xr.DataArray(CUTOFFS, {"cutoff_wavelength": CUTOFFS}, "cutoff_wavelength")
     noise = np.random.default_rng(5).standard_normal(3)
     noise = xr.DataArray(scatter * (noise - noise.mean()), dims="realization")
-    scattered_edge = power_law(*(exponent + noise for exponent in exponents))
+    edge = power_law(*(exponent + noise for exponent in exponents)) * np.exp(noise)
     # ln(ratio) is linear in ln(cutoff) and ln(1.1) at the edge, on either side.
     sign = xr.DataArray([1, -1], {"side": ["short", "long"]}, "side")
-    distance = sign * np.log(cutoff / (scattered_edge * np.exp(noise)))
-    ratio = np.exp(np.maximum(np.log(1.1) * (1 + 2 * distance), 0)).expand_dims(surface=["a"])
+    log_distance = sign * np.log(cutoff / edge)
+    ratio = np.exp(np.maximum(np.log(1.1) * (1 + 2 * log_distance), 0)).expand_dims(surface=["a"])
     return xr.Dataset(
         {
             "filtered_force_ratio": ratio,
@@ -53,19 +49,18 @@ def test_exponents_of_a_known_power_law_are_recovered(exponents):
     fitted = edge_exponents(curves(*exponents, scatter=0.02), 0.1, 0.95).sel(surface="a")
     exponent = fitted["edge_exponent"]
     radius_exponent, area_exponent = exponents
-    np.testing.assert_allclose(
-        exponent, [exponents, (radius_exponent, area_exponent / 0.9)], atol=0.02
-    )
+    long_exponents = radius_exponent, area_exponent / 0.9  # of LONG_AREAS
+    np.testing.assert_allclose(exponent, [exponents, long_exponents], atol=0.02)
     low, high = interval_ends(fitted, "edge_exponent")
     assert (low <= exponent).all() and (exponent <= high).all()
 
 
-def test_the_exponent_of_a_force_in_the_radius_is_recovered():
+def test_the_exponent_of_a_force_against_the_radius_is_recovered():
     radius = xr.DataArray(RADII, {"radius": RADII}, "radius")
     power = xr.DataArray([0.3, 0.4, 0.5], {"realization": [1, 2, 3]}, "realization")
-    factor = xr.DataArray([[1.0, 3.0]], dims=("contact_y", "contact_x"))
+    contact_factor = xr.DataArray([[1.0, 3.0]], dims=("contact_y", "contact_x"))
     axes = {"side": ["short", "long"], "surface": ["a"], "contact_area": AREAS}
-    forces = (1e-6 * factor * (radius / 1e5) ** power).expand_dims(axes)
+    forces = (1e-6 * contact_factor * (radius / 1e5) ** power).expand_dims(axes)
     # Forces at another side or contact area differ.
     is_other = (forces["side"] == "short") | (forces["contact_area"] != 400)
     data = xr.Dataset({"unfiltered_pull_off_force": forces.where(~is_other, 1.0)})

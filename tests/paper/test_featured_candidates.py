@@ -1,4 +1,4 @@
-"""Candidates with features: their forces, sets that take them, comparison with the paper."""
+"""Candidates with features: forces on them, sets that take them, comparison with the paper."""
 
 from dataclasses import replace
 
@@ -65,13 +65,13 @@ def test_each_set_has_a_candidate_of_its_own_with_bumps_and_pits_in_turn(candida
 
 @pytest.fixture(scope="module")
 def pit_forces(candidates):
-    """The forces on a candidate with pits at the published pair."""
+    """Return the plastic forces on a candidate with pits at the published pair."""
     labels = {"contact_model": "plastic", "candidate": 1, "rho": RANGE}
     return SPHERE_FACTOR * WORK * candidates["pits"]["pull_off_force"].sel(labels)
 
 
 def compare_pits(candidates, pit_forces, published_mean_ratio=1.5):
-    """The candidate with pits beside its own median, and its mean times a ratio, as published.
+    """Return the comparison of a candidate with its median and a multiple of its mean as published.
 
     A log-normal distribution has a mean above its median.
     """
@@ -90,11 +90,11 @@ def test_the_comparison_has_the_forces_at_the_published_pair(candidates, pit_for
     assert candidate["log_force_std"].item() == pytest.approx(np.log(pit_forces).std().item())
 
 
-@pytest.mark.parametrize(("relative_ratio", "agrees"), [(0.95, 1), (1.05, 0)])
+@pytest.mark.parametrize(("share_of_limit", "agrees"), [(0.95, 1), (1.05, 0)])
 def test_a_candidate_agrees_within_the_largest_factor(
-    candidates, pit_forces, relative_ratio, agrees
+    candidates, pit_forces, share_of_limit, agrees
 ):
-    candidate = compare_pits(candidates, pit_forces, relative_ratio * MAX_FORCE_FACTOR)
+    candidate = compare_pits(candidates, pit_forces, share_of_limit * MAX_FORCE_FACTOR)
     assert candidate["agrees"] == agrees
 
 

@@ -1,4 +1,4 @@
-"""The pairs at which users get forces: the published pair, and those of the sets of the study."""
+"""The pairs at which users get forces: the published pair, and pairs inferred from sets."""
 
 import re
 
@@ -17,7 +17,7 @@ def test_pairs_include_the_published_pair_and_their_shares_add_up_to_one():
     assert PAIRS.share_of_sets.sum() == pytest.approx(1)
 
 
-def test_inferred_pairs_are_those_of_the_sets_of_the_full_study():
+def test_inferred_pairs_are_rounded_results_of_the_full_study():
     inferred_pairs = PAIRS.drop("published")
     full_study = read_full_study()["value"]
     for column in inferred_pairs.columns[:3]:

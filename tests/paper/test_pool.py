@@ -1,4 +1,4 @@
-"""Pools of scans: heights, interpolation between heights."""
+"""Pools of scans: rms heights, and sets at interpolated heights."""
 
 from dataclasses import replace
 
@@ -22,15 +22,15 @@ POOL = range(1, 7)
 
 
 def test_heights_of_the_pool_cover_those_of_any_set():
-    # One scan differs from four equal scans: it is (n - 1)/sqrt(n) deviations from the mean.
-    sample = np.array([0.0, 0.0, 0.0, 0.0, 1.0])
-    reach = (sample.max() - sample.mean()) / sample.std(ddof=1)
+    # A scan beside four equal scans is the farthest from the mean, in standard deviations.
+    heights = np.array([0.0, 0.0, 0.0, 0.0, 1.0])
+    reach = (heights.max() - heights.mean()) / heights.std(ddof=1)
     np.testing.assert_allclose(HEIGHTS[[0, -1]], [10 - 4 * reach, 10 + 4 * reach])
     np.testing.assert_allclose(np.diff(np.sqrt(HEIGHTS), 2), 0, atol=1e-12)
     np.testing.assert_array_equal(pool_rms_heights(SUBSTITUTE.targets, 1, 7), [10.0])
 
 
-def test_interpolation_is_exact_at_its_heights_and_of_cubics():
+def test_interpolation_is_exact_at_computed_heights_and_for_cubics():
     np.testing.assert_allclose(spline_weights(HEIGHTS, HEIGHTS), np.eye(7), atol=1e-12)
     heights = np.array([4.0, 9.9, 16.0])
 
@@ -42,7 +42,7 @@ def test_interpolation_is_exact_at_its_heights_and_of_cubics():
     np.testing.assert_array_equal(single_height, np.ones((3, 1)))
 
 
-def test_a_scan_does_not_depend_on_the_other_scans():
+def test_a_scan_of_the_pool_does_not_depend_on_other_scans():
     forces = pool_of(3, 4)["log_force"]
     np.testing.assert_array_equal(pool_of(4)["log_force"].sel(scan=4), forces.sel(scan=4))
     assert not np.allclose(forces.sel(scan=3), forces.sel(scan=4))
@@ -61,12 +61,12 @@ def test_a_set_has_the_forces_and_roughness_of_its_scans_at_the_sampled_heights(
         for name in TABLE1_METRICS.values():
             assert sampled_scan[name].item() == pytest.approx(values[name], rel=1e-9)
         bodies = join_bodies(mirror_scan(scaled), None, CONTACT)
-        direct = pull_off_dataset(bodies, CONTACT, RANGES)["pull_off_force"].values
+        computed = pull_off_dataset(bodies, CONTACT, RANGES)["pull_off_force"].values
         forces = sampled_scan["pull_off_force"].squeeze("scan")
-        np.testing.assert_allclose(forces, direct, rtol=0.15)
+        np.testing.assert_allclose(forces, computed, rtol=0.15)
         means = forces.mean(["contact_y", "contact_x"])
-        np.testing.assert_allclose(means.sel(rho=5.6), direct[:, 2].mean(axis=(1, 2)), rtol=1e-3)
-        np.testing.assert_allclose(means, direct.mean(axis=(2, 3)), rtol=0.03)
+        np.testing.assert_allclose(means.sel(rho=5.6), computed[:, 2].mean(axis=(1, 2)), rtol=1e-3)
+        np.testing.assert_allclose(means, computed.mean(axis=(2, 3)), rtol=0.03)
 
 
 def test_sets_that_would_need_a_flatter_scan_are_sampled_again_or_refused():
@@ -79,11 +79,11 @@ def test_sets_that_would_need_a_flatter_scan_are_sampled_again_or_refused():
     assert_says(message, "expected sets of 5 scans", "10 +- 30 nm", "found none")
 
 
-def measured_forces(scans):
-    """Forces of measured scans on two spheres: log-normal, correlated along the range."""
-    rng = np.random.default_rng(scans)
-    scan_effect = rng.normal(size=(scans, 1, 1, 1, 1, 1)) * np.array([0.3, 0.6])[:, None, None]
-    contact_effect = 0.5 * rng.normal(size=(scans, 2, 1, 1, 3, 3))
+def measured_forces(scan_count):
+    """Return log-normal forces on scans and two scans of the sphere, correlated along the range."""
+    rng = np.random.default_rng(scan_count)
+    scan_effect = rng.normal(size=(scan_count, 1, 1, 1, 1, 1)) * np.array([0.3, 0.6])[:, None, None]
+    contact_effect = 0.5 * rng.normal(size=(scan_count, 2, 1, 1, 3, 3))
     forces = np.exp(scan_effect + contact_effect + np.log([1.0, 2.0])[:, None, None, None])
     axes = ("scan", "sphere_scan", "contact_model", "rho", "contact_y", "contact_x")
     return xr.DataArray(
@@ -93,10 +93,10 @@ def measured_forces(scans):
 
 def test_sampled_means_of_measured_scans_spread_over_their_interval():
     forces = measured_forces(5)
-    scans = forces.mean(["sphere_scan", "contact_y", "contact_x"])
-    low, high = np.moveaxis(student_log_interval(scans, 0.9, "scan").values, -1, 0)
-    sampled = [scale_to_sampled_mean(forces, generator(5, n)) for n in range(400)]
+    scan_means = forces.mean(["sphere_scan", "contact_y", "contact_x"])
+    low, high = np.moveaxis(student_log_interval(scan_means, 0.9, "scan").values, -1, 0)
+    sampled_forces = [scale_to_sampled_mean(forces, generator(5, n)) for n in range(400)]
     axes = ["scan", "sphere_scan", "contact_y", "contact_x"]
-    means = np.array([set_forces.mean(axes) for set_forces in sampled])
+    means = np.array([set_forces.mean(axes) for set_forces in sampled_forces])
     share = ((means > low) & (means < high)).mean(axis=0)
-    np.testing.assert_allclose(share, 0.9, atol=4 * np.sqrt(0.09 / 400))
+    np.testing.assert_allclose(share, 0.9, atol=4 * np.sqrt(0.9 * 0.1 / 400))

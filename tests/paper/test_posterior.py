@@ -1,4 +1,4 @@
-"""The posterior against closed forms: laws that are linear in the logarithms give normals."""
+"""The posterior against closed forms: forces that are powers of the range."""
 
 import numpy as np
 import pytest
@@ -10,11 +10,12 @@ LOG_RANGES = np.linspace(np.log(0.01), np.log(1000.0), 2001)
 
 
 def sample(exponents, log_targets, errors):
-    """Samples of ln range and ln work if forces are powers of the range."""
+    """Return samples of ln range and ln work if forces at 1 J/m² are powers of the range."""
     rng = np.random.default_rng(1)
     curves = np.multiply.outer(exponents, LOG_RANGES)[None]
-    targets = np.array(log_targets), np.array(errors)
-    index, log_work = sample_range_and_work(curves, *targets, rng, COUNT)
+    index, log_work = sample_range_and_work(
+        curves, np.array(log_targets), np.array(errors), rng, COUNT
+    )
     return LOG_RANGES[index], log_work
 
 
@@ -27,7 +28,7 @@ def test_two_powers_determine_range_and_work():
         assert samples.std() == pytest.approx(deviation, rel=0.02)
 
 
-def test_equal_powers_leave_the_range_to_its_prior():
+def test_forces_independent_of_the_range_leave_it_to_its_prior():
     log_range, log_work = sample([0.0, 0.0], [1.0, 1.0], [0.1, 0.1])
     middle, span = LOG_RANGES[[0, -1]].mean(), np.ptp(LOG_RANGES)
     assert log_range.mean() == pytest.approx(middle, abs=0.01 * span)
@@ -35,10 +36,10 @@ def test_equal_powers_leave_the_range_to_its_prior():
     assert log_work.std() == pytest.approx(0.1 / np.sqrt(2), rel=0.02)
 
 
-def test_the_error_of_a_mean_is_that_of_a_log_normal():
+def test_the_error_of_a_mean_is_the_log_deviation_of_a_log_normal_mean():
     forces = np.random.default_rng(2).lognormal(0, 0.7, (200_000, 6)).mean(axis=1)
-    relative = forces.std() / forces.mean()
-    assert log_mean_error(0.7, 6) == pytest.approx(np.sqrt(np.log1p(relative**2)), rel=0.002)
+    relative_std = forces.std() / forces.mean()
+    assert log_mean_error(0.7, 6) == pytest.approx(np.sqrt(np.log1p(relative_std**2)), rel=0.002)
     assert log_mean_error(0.7, 1) == pytest.approx(0.7)
 
 

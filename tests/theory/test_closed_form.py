@@ -14,7 +14,6 @@ from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.theory.closed_form import (
     Regime,
     closed_form,
-    contact_term,
     critical_band,
     filtered_spectrum,
     smooth_force,
@@ -30,19 +29,20 @@ def contact(rho=5.6, area=400.0, radius=RADIUS):
 
 
 @pytest.mark.parametrize(("sigma", "m", "rho"), [(4, 10, 5.6), (4, 10, 1), (17, 55, 3)])
-def test_both_terms_equal_the_integral_over_gaps_and_heights(sigma, m, rho):
-    gap = np.linspace(m, m + 20 * rho + 8 * sigma, 1501)
-    height_share = np.linspace(0, 1, 1001)[:, None]
-    height = -10 * sigma + height_share * (gap + 10 * sigma)  # up to the sphere
-    attraction = stats.norm.pdf(height, 0, sigma) * np.exp(-(gap - height) / rho)
-    attraction_at_gap = np.trapezoid(attraction, height_share, axis=0) * (gap + 10 * sigma)
-    force = np.trapezoid(attraction_at_gap, gap) / rho
+def test_surface_and_summit_term_equal_the_integral_over_rings(sigma, m, rho):
+    """theory.md, All rings."""
+    y = np.linspace(m, m + 20 * rho + 8 * sigma, 1501)
+    share_of_heights = np.linspace(0, 1, 1001)[:, None]
+    height = -10 * sigma + share_of_heights * (y + 10 * sigma)
+    attraction = stats.norm.pdf(height, 0, sigma) * np.exp(-(y - height) / rho)
+    attraction_at_y = np.trapezoid(attraction, share_of_heights, axis=0) * (y + 10 * sigma)
+    force = np.trapezoid(attraction_at_y, y) / rho
     both_terms = surface_term(m / sigma, sigma / rho) + stats.norm.sf(m / sigma)
     assert both_terms == pytest.approx(force, rel=3e-4)
 
 
 def test_the_surface_term_has_its_asymptote_at_short_range():
-    sigma, m, rho = 100.0, 300.0, 0.5
+    sigma, m, rho = 100.0, 300.0, 0.5  # nm
     asymptote = stats.norm.pdf(m / sigma) / (sigma / rho - m / sigma)
     assert surface_term(m / sigma, sigma / rho) == pytest.approx(asymptote, rel=1e-3)
 
@@ -50,25 +50,22 @@ def test_the_surface_term_has_its_asymptote_at_short_range():
 def test_without_roughness_the_closed_form_is_the_force_of_a_smooth_sphere():
     flat = Spectrum(self_affine_spectrum().wavevector, 0 * self_affine_spectrum().density)
     form = closed_form(flat, contact())
-    # The area in contact attracts, too, with A/(2 pi R rho) of this force.
-    relative = 1 + contact().area / (2 * np.pi * RADIUS * contact().rho)
-    assert form.force == pytest.approx(2 * np.pi * RADIUS * 1e-9 * relative)
-    assert form.dmt_ratio == pytest.approx(relative, rel=1e-12)
+    # The area in contact adds A/(2 pi R rho) of the force of DMT.
+    dmt_ratio = 1 + contact().area / (2 * np.pi * RADIUS * contact().rho)
+    assert form.force == pytest.approx(2 * np.pi * RADIUS * 1e-9 * dmt_ratio)
+    assert form.dmt_ratio == pytest.approx(dmt_ratio, rel=1e-12)
     assert (form.regime, form.weibull_modulus) == (Regime.SMOOTH, np.inf)
     nearly_smooth = closed_form(self_affine_spectrum(rms=0.02), contact())
-    assert nearly_smooth.regime == Regime.SMOOTH and nearly_smooth.dmt_ratio == pytest.approx(
-        1, abs=0.03
-    )
+    assert nearly_smooth.regime == Regime.SMOOTH
+    assert nearly_smooth.dmt_ratio == pytest.approx(1, abs=0.03)
     assert np.isnan(critical_band(flat, contact(), 0.1)).all()
 
 
 def test_the_force_of_a_wide_contact_reaches_its_smooth_limit():
     wide = contact(area=0.57 * 2 * np.pi * RADIUS * contact().rho)
-    nearly_smooth = closed_form(self_affine_spectrum(rms=0.02), wide)
-    smooth = closed_form(self_affine_spectrum(rms=0.0), wide)
-    assert (
-        smooth.dmt_ratio == pytest.approx(1.57) == pytest.approx(nearly_smooth.dmt_ratio, abs=0.03)
-    )
+    for rms in (0.0, 0.02):
+        form = closed_form(self_affine_spectrum(rms), wide)
+        assert form.dmt_ratio == pytest.approx(1.57, abs=0.03)
     assert np.isnan(critical_band(self_affine_spectrum(rms=0.02), wide, 0.1)).all()
 
 
@@ -84,42 +81,41 @@ def test_a_single_smooth_summit_attracts_like_a_sphere_of_its_radius():
 
 
 def mean_power(touching_count, power):
-    """Return the mean of the power of G_n (theory.md, "What do the summits add up to?").
+    """Return the mean of G_n^power (theory.md, "What do the summits add up to?").
 
-    The highest summit always touches; the number of others has a Poisson distribution.
+    The highest summit touches, and a Poisson number of others.
     """
-    number = 1 + np.arange(200)
-    chance = stats.poisson.pmf(number - 1, touching_count - 1)
-    return chance @ np.exp(special.gammaln(number + power) - special.gammaln(number))
+    n = 1 + np.arange(200)
+    probability = stats.poisson.pmf(n - 1, touching_count - 1)
+    return probability @ np.exp(special.gammaln(n + power) - special.gammaln(n))
 
 
-@pytest.mark.parametrize("summits", [3.0, 30.0])
-def test_n_summits_attract_like_the_mean_power_of_a_gamma_variable(summits):
+@pytest.mark.parametrize("filling_count", [3.0, 30.0])
+def test_plastic_forces_grow_like_the_mean_power_of_g_n(filling_count):
+    """F is proportional to G_n^(1/k), in rigid contact with n = 1."""
     sigma = 4.0
-    large_radius = 1e12  # The highest summits then obey the laws of high levels.
+    large_radius = 1e12  # so that the highest summits obey the laws of high levels
     spectrum = gaussian_spectrum(sigma)
     rough_spectrum = spectrum_between(spectrum, 0, np.inf)
     _, counts, bearing_areas = summits_above(rough_spectrum, large_radius)
     highest_level = apex_distribution(rough_spectrum, large_radius, 0.0).mean()
-    area = summits * np.interp(highest_level, LEVELS, bearing_areas / np.maximum(counts, 1e-99))
+    summit_areas = bearing_areas / np.maximum(counts, 1e-99)
+    area = filling_count * np.interp(highest_level, LEVELS, summit_areas)
     apex = apex_distribution(rough_spectrum, large_radius, area)
     rho = 3 * sigma / apex.mean()  # the modulus is 3
     plastic_contact = contact(rho, area, large_radius)
+    rigid_contact = contact(rho, 0.0, large_radius)
     plastic = closed_form(spectrum, plastic_contact)
-    rigid = closed_form(spectrum, contact(rho, 0.0, large_radius))
-    # The contact area itself attracts, too.
-    area_force = smooth_force(plastic_contact) * (1 - 1 / (1 + contact_term(plastic_contact)))
+    rigid = closed_form(spectrum, rigid_contact)
+    area_force = smooth_force(plastic_contact) - smooth_force(rigid_contact)
     power = 2 / (plastic.weibull_modulus + rigid.weibull_modulus)  # 1/k
     touching_count = apex.mean(np.interp(apex.levels, LEVELS, counts))
-    force_ratio = (plastic.force - area_force) / rigid.force
-    # One summit touches a rigid sphere.
-    assert force_ratio == pytest.approx(
-        mean_power(touching_count, power) / mean_power(1, power), rel=0.01
-    )
+    expected_ratio = mean_power(touching_count, power) / mean_power(1, power)
+    assert (plastic.force - area_force) / rigid.force == pytest.approx(expected_ratio, rel=0.01)
 
 
 @pytest.mark.parametrize(("rho", "low", "high"), [(2.0, 0.7, 0.9), (40.0, 0.99, 1.0)])
-def test_rough_close_points_lessen_the_force_where_few_summits_decide(rho, low, high):
+def test_rough_close_points_lower_the_force_if_the_range_is_short(rho, low, high):
     spectrum = self_affine_spectrum(rms=30, shortest=5.0)
     smooth_points = closed_form(spectrum, contact(rho), rough_close_points=False)
     assert low < closed_form(spectrum, contact(rho)).force / smooth_points.force < high

@@ -1,4 +1,4 @@
-"""The table of designed surfaces agrees with the closed form that it validates."""
+"""The table of designed surfaces, and which spectra it validates."""
 
 from dataclasses import replace
 
@@ -44,16 +44,16 @@ def test_the_table_repeats_the_design_and_the_closed_form():
 
 
 @pytest.mark.parametrize("name", validity.VALIDATED_QUANTITIES)
-def test_intervals_contain_nine_tenths_of_the_other_half(name):
-    """Nine of ten, fewer by chance and at the border of the set: three quarters or more."""
-    table = TABLE[TABLE["held_out"] == 0]
-    found_edges = table[table.get(f"{name}_status", pd.Series("found", table.index)) == "found"]
-    found_edges = found_edges.dropna(subset=f"predicted_{name}")
+def test_intervals_contain_most_ratios_on_surfaces_that_were_not_held_out(name):
+    """The probability is 0.9, less at the border of the table."""
+    rows = TABLE[TABLE["held_out"] == 0].dropna(subset=f"predicted_{name}")
+    if name in validity.EDGE_NAMES:
+        rows = rows[rows[f"{name}_status"] == "found"]
     is_inside = []
-    for _, row in found_edges.iterrows():
+    for _, row in rows.iterrows():
         low, high = validity.nearest_ratios(row, name)
         is_inside.append(low <= row[name] / row[f"predicted_{name}"] <= high)
-    assert 0.75 < np.mean(is_inside) <= 1
+    assert np.mean(is_inside) > 0.75
 
 
 #: Roll-off (nm), plateau (nm⁴), Hurst exponent at the roll-off and its change per decade, for the
@@ -75,8 +75,9 @@ def is_in_table(spectrum, contact):
 def test_the_coatings_of_the_paper_lie_within_the_table(rolloff, plateau, hurst, change):
     density = varying_hurst(WAVEVECTORS, plateau, rolloff, hurst, change)
     spectrum = prediction.trim_spectrum(Spectrum(WAVEVECTORS, density))
-    mean_hurst = hurst + change * np.log10(rolloff / 20) / 2
-    fit = validity.mean_hurst_and_change(spectrum, 20.0)
+    contact_length = np.sqrt(PAPER_CONTACT.area)
+    mean_hurst = hurst + change * np.log10(rolloff / contact_length) / 2
+    fit = validity.mean_hurst_and_change(spectrum, contact_length)
     assert fit == pytest.approx((mean_hurst, change), abs=0.01)
     assert is_in_table(spectrum, PAPER_CONTACT)
 
@@ -84,4 +85,4 @@ def test_the_coatings_of_the_paper_lie_within_the_table(rolloff, plateau, hurst,
 def test_a_contact_wider_than_the_roll_off_leaves_no_hurst_exponent():
     spectrum = Spectrum(WAVEVECTORS, varying_hurst(WAVEVECTORS, 1e6, 300, 0.8, 0.0))
     assert np.isnan(validity.mean_hurst_and_change(spectrum, 400.0)).all()
-    assert not is_in_table(spectrum, replace(PAPER_CONTACT, preload=400.0**2))
+    assert not is_in_table(spectrum, replace(PAPER_CONTACT, preload=400.0**2))  # area in nm²

@@ -1,4 +1,4 @@
-"""The highest summits: densities of smooth surfaces, Gumbel's law, the bearing area."""
+"""The highest summits: width, density, height of the apex, search size."""
 
 from itertools import product
 
@@ -36,36 +36,38 @@ def test_a_gaussian_autocorrelation_has_known_moments():
 
 def test_a_gaussian_autocorrelation_has_summits_of_known_width():
     levels = np.array([1.5, 2.5, 4.0])
-    radii = 100 * np.sqrt(-2 * np.log(1 - 1 / levels**2))  # exp(-d²/2l²) = 1 - 1/t²
-    assert summits.summit_half_width(GAUSSIAN, levels) == pytest.approx(radii, rel=0.002)
+    half_widths = 100 * np.sqrt(-2 * np.log(1 - 1 / levels**2))  # exp(-d²/2l²) = 1 - 1/t²
+    assert summits.summit_half_width(GAUSSIAN, levels) == pytest.approx(half_widths, rel=0.002)
 
 
 def test_summits_at_high_levels_are_as_dense_as_maxima_of_a_smooth_surface():
     spectrum, level = GAUSSIAN, 5.0
     density = stats.norm.sf(level) / (np.pi * summits.summit_half_width(spectrum, [level])[0] ** 2)
-    mean_square_slope = spectral_moment(spectrum, 2) / 2 / spectral_moment(spectrum, 0)
-    euler = level * np.exp(-(level**2) / 2) * mean_square_slope
+    relative_square_slope = spectral_moment(spectrum, 2) / 2 / spectral_moment(spectrum, 0)
+    maxima_density = (
+        level * np.exp(-(level**2) / 2) * relative_square_slope / (2 * np.pi) ** 1.5  # Nayak
+    )
     # At t = 5, sf(t) is 4 % below its asymptote, and a summit 2 % larger than 2 pi l²/t².
-    assert density == pytest.approx(euler / (2 * np.pi) ** 1.5, rel=0.08)
+    assert density == pytest.approx(maxima_density, rel=0.08)
 
 
-def test_short_waves_of_no_height_make_no_summits():
+def test_short_waves_of_small_height_make_no_summits():
     q = np.geomspace(2 * np.pi / 1e4, 2 * np.pi, 600)
     long = 2 * np.pi * (4 * 100) ** 2 * np.exp(-((q * 100) ** 2) / 2)
-    fine = np.where(q > 2 * np.pi / 3, 2 * np.pi * 0.1**2 / np.pi / (q[-1] / 3) ** 2, 0)
-    all_waves = full_band(Spectrum(q, long + fine))
+    short = np.where(q > 2 * np.pi / 3, 2 * np.pi * 0.1**2 / np.pi / (q[-1] / 3) ** 2, 0)
+    all_waves = full_band(Spectrum(q, long + short))
     long_waves = full_band(Spectrum(q, long + 1e-9))
-    # By its slopes the surface has many maxima.
+    # Short waves of 0.1 nm make slopes, and so maxima.
     assert spectral_moment(all_waves, 2) > 1.5 * spectral_moment(long_waves, 2)
     assert summits.summit_half_width(all_waves, [3.5]) == pytest.approx(
         summits.summit_half_width(long_waves, [3.5]), rel=0.01
     )
 
 
-def test_the_highest_point_follows_gumbel_s_law():
+def test_the_apex_of_a_rigid_contact_follows_gumbel_s_law():
     spectrum = GAUSSIAN
     apex = summits.apex_distribution(spectrum, LARGE_RADIUS, 0.0)
-    # Lambda(t) = R m2/(sigma sqrt(2 pi)) exp(-t²/2) is one at the location.
+    # Lambda(t) = R m2/(sigma sqrt(2 pi)) exp(-t²/2) is 1 at the location; m2: mean square slope.
     mean_square_slope = spectral_moment(spectrum, 2) / 2
     location = np.sqrt(2 * np.log(LARGE_RADIUS * mean_square_slope / (4 * np.sqrt(2 * np.pi))))
     gumbel = stats.gumbel_r(location, 1 / location)
@@ -77,9 +79,9 @@ def test_the_highest_point_follows_gumbel_s_law():
 
 @pytest.mark.parametrize("area", [0.0, 0.3, 4.0, 49.0])
 def test_exponential_areas_of_poisson_summits_have_a_known_distribution(area):
-    # n such areas stay below it as often as Poisson's number of a mean `area` is n or more.
-    counts, number = np.geomspace(1e-4, 300, 200), np.arange(1000)[:, None]
-    terms = stats.poisson.pmf(number, counts) * stats.poisson.sf(number - 1, area)
+    # n areas of mean 1 sum to less than `area` if a Poisson number of mean `area` is at least n.
+    counts, n = np.geomspace(1e-4, 300, 200), np.arange(1000)[:, None]
+    terms = stats.poisson.pmf(n, counts) * stats.poisson.sf(n - 1, area)
     probability = summits._probability_of_smaller_area(counts, np.full(200, area))
     assert probability[0] > 0.99 and probability[-1] < 1e-20
     np.testing.assert_allclose(probability, terms.sum(axis=0), rtol=1e-11, atol=1e-19)
@@ -88,28 +90,29 @@ def test_exponential_areas_of_poisson_summits_have_a_known_distribution(area):
 def test_a_large_contact_area_is_the_bearing_area():
     spectrum, area = GAUSSIAN, 3e6
     level = summits.apex_distribution(spectrum, LARGE_RADIUS, area).mean()
-    bearing = 2 * np.pi * LARGE_RADIUS * 4 * integrate.quad(stats.norm.sf, level, 10)[0]
-    assert bearing == pytest.approx(area, rel=1e-3)
+    bearing_area = 2 * np.pi * LARGE_RADIUS * 4 * integrate.quad(stats.norm.sf, level, 10)[0]
+    assert bearing_area == pytest.approx(area, rel=1e-3)
     assert level < summits.apex_distribution(spectrum, LARGE_RADIUS, 400).mean()
 
 
-def test_the_highest_point_matches_random_surfaces():
+def test_the_mean_apex_height_matches_random_surfaces():
     spectrum = self_affine_spectrum(rolloff=300, shortest=40)
     pixels, size, radius = 256, 2560.0, 20e3
-    spectrum_on_map = spectrum_between(spectrum, 2 * np.pi / size / 2, np.inf)
+    # The longest waves of the map stand for wavelengths up to twice its size.
+    spectrum_on_map = spectrum_between(spectrum, 2 * np.pi / (2 * size), np.inf)
     offset = (np.arange(pixels) - pixels / 2) * 10.0
     sphere = (offset[:, None] ** 2 + offset**2) / (2 * radius)
-    highest = [
+    apex_heights = [
         (random_surface(generator(3, k), pixels, 10.0, spectrum).heights - sphere).max()
         for k in range(120)
     ]
     mean_level = summits.apex_distribution(spectrum_on_map, radius, 0.0).mean()
     mean_height = mean_level * np.sqrt(spectral_moment(spectrum_on_map, 0))
-    assert mean_height == pytest.approx(np.mean(highest), rel=0.08)
+    assert mean_height == pytest.approx(np.mean(apex_heights), rel=0.08)
 
 
-def test_a_sphere_follows_waves_flatter_than_itself():
-    spectrum = self_affine_spectrum(rolloff=1e6)  # roughness without end
+def test_a_sphere_follows_long_waves_of_small_curvature():
+    spectrum = self_affine_spectrum(rolloff=1e6)  # longer than all waves of the grid
     rough_spectrum = summits.find_rough_spectrum(spectrum, RADIUS)
     assert rough_spectrum.wavevector[0] > 10 * spectrum.wavevector[0]
     followed_spectrum = spectrum_between(spectrum, 0, rough_spectrum.wavevector[0])
@@ -128,12 +131,12 @@ def test_the_search_size_is_twice_the_rms_distance_of_the_highest_points(rms_hei
     spectrum = Spectrum(q, spectrum.density * rms_height**2 / spectral_moment(spectrum, 0))
     position = pixel * (np.arange(pixels) - pixels // 2)
     squares = position[:, None] ** 2 + position**2
-    distances = []
+    squared_distances = []
     for draw in range(60):
         heights = random_surface(generator(3, draw), pixels, pixel, spectrum).heights
         heights = rms_height / heights.std() * heights
-        for shift in product((0, 85, 170), repeat=2):  # the surface is periodic
+        for shift in product((0, 85, 170), repeat=2):  # nine positions on the periodic surface
             heights_above_sphere = np.roll(heights, shift, (0, 1)) - squares / (2 * radius)
-            distances.append(squares.flat[heights_above_sphere.argmax()])
-    reach = search_size(spectrum, radius, 0.0) / 2
-    assert np.sqrt(np.mean(distances)) == pytest.approx(reach, rel=0.05)
+            squared_distances.append(squares.flat[heights_above_sphere.argmax()])
+    rms_distance = search_size(spectrum, radius, 0.0) / 2
+    assert np.sqrt(np.mean(squared_distances)) == pytest.approx(rms_distance, rel=0.05)
