@@ -1,7 +1,7 @@
 """Which scales of roughness matter for the adhesion of hard contacts: the study, end to end."""
 
 # What these modules add to Snakemake: `preparation` gives each rule with a script a log and, if it writes
-# files, a benchmark and, as its input `code`, the modules that its script imports. `ending` kills a run at
+# files, a benchmark and an input `code`: the script and the modules that it imports. `ending` kills a run at
 # Ctrl-C (on a cluster at the second), and prints the study's answer. `reruns` replaces seven attributes of
 # Snakemake, named in `plan_by_records`, so that records in `.origin`, not file times, decide what runs again.
 from hardcontact.run import ending, preparation, reruns
@@ -75,7 +75,7 @@ onerror:
 
 
 rule all:
-    """Make the whole study: datasets, verdicts, figures, pages and lists of what it has."""
+    """Make the datasets, verdicts, figures, pages and description of the study."""
     default_target: True
     input:
         TARGETS.values(),

@@ -18,8 +18,8 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 sys.dont_write_bytecode = True
 settings.register_profile("study", database=None)
 settings.load_profile("study")
-HYPOTHESIS = tempfile.TemporaryDirectory(prefix="hypothesis-")
-configuration.set_hypothesis_home_dir(HYPOTHESIS.name)
+HYPOTHESIS_FOLDER = tempfile.TemporaryDirectory(prefix="hypothesis-")
+configuration.set_hypothesis_home_dir(HYPOTHESIS_FOLDER.name)
 
 #: Fixtures that compute a study.
 STUDIES = {"finished", "own_study", "probe"}
@@ -27,7 +27,7 @@ STUDIES = {"finished", "own_study", "probe"}
 
 def pytest_unconfigure():
     """Remove the files of hypothesis."""
-    HYPOTHESIS.cleanup()
+    HYPOTHESIS_FOLDER.cleanup()
 
 
 def pytest_xdist_auto_num_workers(config):
@@ -78,7 +78,7 @@ def repository(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def finished(tmp_path_factory):
-    """Run the tiny study in a copy of the repository; not to be changed."""
+    """Return a copy of the repository with the finished tiny study; not to be changed."""
     return shared_study(tmp_path_factory, tiny_study)
 
 

@@ -2,7 +2,8 @@
 
     python tests/benchmarks/benchmark.py
 
-Not a test: machines are noisy, so nothing here passes or fails. Each time is the shortest of three.
+Not a test: machines are noisy, so nothing here passes or fails. Each time is the shortest of
+three; what takes long runs once.
 """
 
 import multiprocessing
@@ -30,7 +31,7 @@ from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.synthesis import random_surface
 
-RHO, MODULUS, WORK = 5.6, 289.7e9, 46.3e-3
+RHO, MODULUS, WORK = 5.6, 289.7e9, 46.3e-3  # nm, Pa, J/m²: the paper's
 CONTACT = Contact(radius=250e3, preload=10e-6, hardness=25e9, window=12500.0, contacts_per_row=20)
 #: Contacts (y, x) whose direct sums are timed.
 TIMED_CONTACTS = [(0, 0), (7, 13), (19, 4)]
@@ -41,7 +42,7 @@ def surface(pixels):
 
 
 def bodies_in_contact(substrate):
-    """Return a smooth sphere with the study's contacts, and the number of contact pixels."""
+    """Return a substrate below a smooth sphere, and the number of pixels in contact."""
     bodies = join_bodies(substrate, None, CONTACT)
     return bodies, CONTACT.pixel_count(bodies.geometry.pixel_size)
 
@@ -56,13 +57,13 @@ def timed(function, *arguments, repeats=3):
     return min(times), result
 
 
-def pull_off(substrate):
-    """Return plastic totals (contact_y, contact_x) of a smooth sphere on a substrate."""
+def plastic_sums(substrate):
+    """Return the force sums (contact_y, contact_x) of plastic contacts with a smooth sphere."""
     bodies, count = bodies_in_contact(substrate)
     return attraction_sums(bodies, all_contact_pixels(bodies, count), [count], [RHO])[0, 0]
 
 
-def smooth_sphere():
+def force_sum_rows():
     substrate = surface(8192)
     bodies, count = bodies_in_contact(substrate)
 
@@ -71,7 +72,7 @@ def smooth_sphere():
             direct_total(gap_of_bodies(bodies, contact), count, RHO) for contact in TIMED_CONTACTS
         ]
 
-    seconds, totals = timed(pull_off, substrate)
+    seconds, totals = timed(plastic_sums, substrate)
     direct_seconds, expected = timed(direct_sums, repeats=1)
     error = max(
         abs(totals[contact] / total - 1)
@@ -81,7 +82,7 @@ def smooth_sphere():
     yield "400 plastic contacts on 8192² pixels", seconds, f"direct sum {longer:.3g}, {error:.1e}"
 
 
-def elastic_contact():
+def elastic_rows():
     random = random_surface(generator(1, "benchmark pair"), 1024, 2500 / 512, uncd_density)
     bodies, _ = bodies_in_contact(mirror_scan(level_plane(cut_scan(random, 512))))
     window = square_around_lowest(reference_gap_map(bodies, (3, 5)), 512)
@@ -100,13 +101,16 @@ def elastic_contact():
 def filtered_job(pixels, results):
     """Put seconds and peak memory (GiB) of a cutoff of Fig. 6 into a queue of another process."""
     substrate = surface(pixels)
-    seconds, _ = timed(lambda: pull_off(interpolate(lowpass(substrate, 43.0), pixels)), repeats=1)
+    cutoff = 43.0  # the paper's short edge in nm
+    seconds, _ = timed(
+        lambda: plastic_sums(interpolate(lowpass(substrate, cutoff), pixels)), repeats=1
+    )
     # The high-water mark of this process alone; getrusage would begin at its parent's.
     peak = next(line for line in Path("/proc/self/status").open() if line.startswith("VmHWM"))
     results.put((seconds, int(peak.split()[1]) / 2**20))
 
 
-def growth():
+def cutoff_rows():
     context = multiprocessing.get_context("spawn")
     for pixels in (4096, 16384):
         results = context.Queue()
@@ -119,7 +123,7 @@ def growth():
 
 def main():
     print(f"numpy {np.__version__}\n\n| what | time | times as long, difference |\n|---|---|---|")
-    for rows in (smooth_sphere(), elastic_contact(), growth()):
+    for rows in (force_sum_rows(), elastic_rows(), cutoff_rows()):
         for description, seconds, comparison in rows:
             print(f"| {description} | {seconds:.2f} s | {comparison} |", flush=True)
 

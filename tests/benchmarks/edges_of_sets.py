@@ -66,16 +66,17 @@ def main():
     parameters = json.loads(sets.attrs["parameters"])
     settings = parameters["settings"]
     paths = [path for path in json.loads(sets.attrs["input_digests"]) if "/filtered/sets/" in path]
-    surfaces = [Path(path).parents[3].name for path in paths]
+    surfaces = [Path(path).parents[3].name for path in paths]  # as in `StorePatterns`
     forces_of_sets = read_master_forces(surfaces, paths, parameters["loading"]).sortby(
         "realization"
     )
     mean_forces = [forces_of_sets[name].mean(CONTACT_AXES) for name in FORCES]
-    masters = arguments.masters or settings["master_count"]
+    master_count = arguments.masters or settings["master_count"]
     rows = []
     for set_number in range(1, (arguments.sets or sets.sizes["set"]) + 1):
         samples = (
-            sample_masters(forces, masters, settings["seed"], set_number) for forces in mean_forces
+            sample_masters(forces, master_count, settings["seed"], set_number)
+            for forces in mean_forces
         )
         for name, ratio in both_ratios(*samples).items():
             rows.append({"ratio": name} | claimed_edges(forces_of_sets, ratio, settings))

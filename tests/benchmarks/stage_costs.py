@@ -6,7 +6,7 @@
 
 The last study is of the user's surfaces at full effort, one scan of 512 x 512 pixels.
 
-Writes the mean processor time of the jobs of each rule, from the benchmarks of a finished study.
+Each cost is the mean processor time of the jobs of a rule in the benchmarks of a finished study.
 """
 
 import sys

@@ -34,10 +34,10 @@ from hardcontact.theory.summits import spectrum_between
 from hardcontact.theory.validity import table_point
 
 TABLE = Path(__file__).parents[2] / "workflow/hardcontact/theory/designed_surfaces.csv"
-SEED, WORK, HARDNESS, TOLERANCE = 20261123, 1.0, 25e9, 0.1
+SEED, WORK, HARDNESS, TOLERANCE = 20261123, 1.0, 25e9, 0.1  # work in J/m², hardness in Pa
 CONTACTS_PER_ROW, CUTOFF_COUNT = 8, 12
-#: Limits of each input, sampled evenly in its logarithm except for the Hurst exponent; lengths in
-#: nm, the area of contact in nm².
+#: Limits of each input, sampled evenly in its logarithm except for Hurst exponent and kind; lengths
+#: in nm, the area of contact in nm².
 BOUNDS = {
     "rolloff": (200.0, 4000.0),
     "steepness": (1 / 300, 1 / 20),  # rms height over roll-off
@@ -59,31 +59,30 @@ STEEP_BOUNDS = {name: ends for name, ends in BOUNDS.items() if name != "kind"} |
 }
 #: Surfaces of both designs.
 FIRST_COUNT, SECOND_COUNT = 96, 64
-SURFACE_COUNT = FIRST_COUNT + SECOND_COUNT
 #: Largest size of a surface in nm.
 MAX_SIZE = 25e3
 #: Realizations of a surface, by its pixels.
 GRIDS = {1024: 4, 2048: 3}
 
 
-def design(surfaces):
-    """Return the inputs of the first surfaces of the design."""
+def design():
+    """Return the inputs of all surfaces of both designs."""
     first_rows = sample_inputs(BOUNDS, SEED, FIRST_COUNT)
     second_rows = [
         row | {"surface": FIRST_COUNT + row["surface"], "kind": STEEP}
         for row in sample_inputs(STEEP_BOUNDS, STEEP_SEED, SECOND_COUNT)
     ]
-    return [row | grid(row) for row in [*first_rows, *second_rows][:surfaces]]
+    return [row | grid(row) for row in [*first_rows, *second_rows]]
 
 
-def sample_inputs(bounds, seed, surfaces):
-    """Yield the inputs of the first surfaces of a Sobol sequence (scrambled) within bounds."""
-    points = qmc.Sobol(len(bounds), rng=np.random.default_rng(seed)).random_base2(7)[:surfaces]
+def sample_inputs(bounds, seed, count):
+    """Yield the inputs of the first `count` surfaces of a scrambled Sobol sequence in bounds."""
+    points = qmc.Sobol(len(bounds), rng=np.random.default_rng(seed)).random_base2(7)[:count]
     for number, point in enumerate(points):
         row = {"surface": number, "held_out": number // 2 % 2}
         for (name, (low, high)), share in zip(bounds.items(), point, strict=True):
-            even = name in ("hurst", "hurst_change", "kind")
-            row[name] = low + share * (high - low) if even else low * (high / low) ** share
+            is_linear = name in ("hurst", "hurst_change", "kind")
+            row[name] = low + share * (high - low) if is_linear else low * (high / low) ** share
         if "kind" in row:
             row["kind"] = next(kind for kind, end in KINDS.items() if row["kind"] <= end)
         row["rms_height"] = row["rolloff"] * row.pop("steepness")
@@ -93,24 +92,24 @@ def sample_inputs(bounds, seed, surfaces):
 def grid(row):
     """Return the grid that holds the waves that matter, and the area of whole pixels on it.
 
-    Twelve pixels are as long as the root of the area in contact where that can be had, and a side
-    has three roll-offs and six times the distance that the sphere finds its summits in.
+    If such a grid exists, the root of the contact area is twelve pixels long, and the surface is at
+    least three roll-offs wide and six times as wide as the region where the sphere finds summits.
     """
     summit_distance = np.sqrt(2 * row["radius"] * row["rms_height"] / 3)
     wanted_size = max(3 * row["rolloff"], 6 * summit_distance)
     size = min(wanted_size, MAX_SIZE)
-    finest = np.sqrt(row["area"]) / 12
-    pixels = next((n for n in GRIDS if size / n <= finest), max(GRIDS))
+    wanted_pixel_size = np.sqrt(row["area"]) / 12
+    pixels = next((n for n in GRIDS if size / n <= wanted_pixel_size), max(GRIDS))
     pixel_size = size / pixels
     preload = row["area"] * HARDNESS * 1e-18
     contact = Contact(radius=row["radius"], preload=preload, hardness=HARDNESS)
-    coarse, small = pixel_size > 3 * finest, size < wanted_size / 2
+    is_coarse, is_small = pixel_size > 3 * wanted_pixel_size, size < wanted_size / 2
     return {
         "size": size,
         "pixels": pixels,
         "shortest": 4 * pixel_size,
         "area": contact.pixel_count(pixel_size) * pixel_size**2,
-        "missing_waves": "short" if coarse else "long" if small else "nothing",
+        "missing_waves": "short" if is_coarse else "long" if is_small else "nothing",
     }
 
 
@@ -118,11 +117,12 @@ def spectrum_of(row):
     """Return C_iso of a row: its kind, of its rms height, without waves below the shortest."""
     hurst, rolloff = row["hurst"], row["rolloff"]
     density = self_affine(WAVEVECTORS, 1.0, rolloff, hurst)
-    wave = WAVEVECTORS * rolloff / (2 * np.pi)
-    if row["kind"] == "two slopes":  # H changes sides about 0.675 an eighth of the roll-off on
-        density = density * np.maximum(wave / 8, 1) ** (2 * (2 * hurst - 1.35))
-    if row["kind"] == "bump":  # grains of a sixth of the roll-off double the density there
-        density = density * (1 + 3 * np.exp(-(np.log(wave / 6) ** 2) / (2 * 0.3**2)))
+    relative_wavevectors = WAVEVECTORS * rolloff / (2 * np.pi)
+    if row["kind"] == "two slopes":  # below an eighth of the roll-off, H is 1.35 - hurst
+        density = density * np.maximum(relative_wavevectors / 8, 1) ** (2 * (2 * hurst - 1.35))
+    if row["kind"] == "bump":  # grains of a sixth of the roll-off quadruple the density there
+        bump = np.exp(-(np.log(relative_wavevectors / 6) ** 2) / (2 * 0.3**2))
+        density = density * (1 + 3 * bump)
     if row["kind"] == "bent":
         density = varying_hurst(WAVEVECTORS, 1.0, rolloff, hurst - 0.4, 0.4)
     if row["kind"] == STEEP:
@@ -164,7 +164,7 @@ def compute_row(row):
 
 
 def describe_edge(side, cutoffs, ratios):
-    """Return an edge of ratios (realization, cutoff) or its bound, with its interval."""
+    """Return the columns of an edge, or its bound, from force ratios (realization, cutoff)."""
     log_ratios = np.log([ratios.mean(axis=0), ratios.min(axis=0), ratios.max(axis=0)])
     coordinates = {CUTOFF: cutoffs, "side": side}
     curve, lowest, highest = xr.DataArray(log_ratios, coordinates, ("statistic", CUTOFF))
@@ -196,7 +196,7 @@ def spectrum_of_grid(spectrum, size, pixels):
 def predict_row(row):
     """Return the prediction of the closed form on the grid, and the coordinates of the surface."""
     grid_spectrum = spectrum_of_grid(spectrum_of(row), row["size"], row["pixels"])
-    contact = Contact(
+    contact = Contact(  # 1e18 Pa is 1 N/nm².
         radius=row["radius"], rho=row["rho"], work=WORK, preload=row["area"], hardness=1e18
     )
     form = closed_form(grid_spectrum, contact)
@@ -212,14 +212,14 @@ def predict_row(row):
 
 
 def main():
-    """Compute the rows that the table lacks, predict all, and write it after each."""
+    """Compute the rows that the table lacks, and write it after each; then predict all rows."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--surfaces", type=int, default=0, help="of the design (160: all)")
     parser.add_argument("--table", type=Path, default=TABLE)
     arguments = parser.parse_args()
     rows = pd.read_csv(arguments.table).to_dict("records") if arguments.table.exists() else []
     done = {row["surface"] for row in rows}
-    for row in design(SURFACE_COUNT)[: arguments.surfaces]:
+    for row in design()[: arguments.surfaces]:
         if row["surface"] not in done:
             rows.append(row | compute_row(row))
             _write(rows, arguments.table)

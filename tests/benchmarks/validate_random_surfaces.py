@@ -2,10 +2,10 @@
 
     nice python tests/benchmarks/validate_random_surfaces.py [SURFACES]
 
-Surfaces are of six families. The pixels of their scans are four times as wide, with the mean or a
-single height of the finer pixels in each. This choice is random, and so are rms height, roll-off,
-Hurst exponent, number, width and heights of features, radius and preload. Each row has the forces
-that have an interval, relative to the mean force on the finer pixels at the same contacts. A scan
+Surfaces are of six families. The pixels of their scans are four times as wide, with the mean or one
+of the heights of the finer pixels in each. Random are this choice, rms height, roll-off, Hurst
+exponent, number, width and heights of features, radius and preload. Each row has the forces that
+have an interval, relative to the mean force on the finer pixels at the same contacts. A scan
 without reliable wavelengths is refused.
 """
 

@@ -41,8 +41,8 @@ CONFIDENCE, TOLERANCE, SEED = 0.95, 0.1, 2021
 SURFACE_SIZES = [20e3, 40e3]
 #: Widths (nm) of scans along the diagonal of the second one.
 SCAN_SIZES = [1250.0, 2500.0, 5000.0, 10e3]
-SCAN_COUNT = 3
-PIXEL_SIZE, REALIZATIONS = 20e3 / 1024, 7
+SCAN_COUNT = 3  # of each size, for each realization
+PIXEL_SIZE, REALIZATIONS = 20e3 / 1024, 7  # pixel size in nm
 #: Longer waves are removed.
 CUTOFFS = [
     300.0, 450.0, 650.0, 850.0, 1000.0, 1200.0, 1400.0, 1700.0, 2000.0, 2500.0, 3500.0, 5000.0,
@@ -126,9 +126,9 @@ def long_edges(all_forces):
     largest = force.isel(map_size=-1, drop=True)
     relative_force = force.mean("realization") / largest.mean("realization")
     # Student's t of the ratios of single realizations, centred at the ratio of the means.
-    single = force / largest
-    relative_interval = student_log_interval(single, CONFIDENCE, "realization")
-    relative_interval = relative_force * relative_interval / single.mean("realization")
+    single_ratios = force / largest
+    relative_interval = student_log_interval(single_ratios, CONFIDENCE, "realization")
+    relative_interval = relative_force * relative_interval / single_ratios.mean("realization")
     attributes = {"units": "1", "long_name": "force relative to that on the larger whole surface"}
     return xr.Dataset({f"long_{name}": edge for name, edge in edges.items()}).assign(
         filtered_force_ratio=ratio,
@@ -174,7 +174,7 @@ def described_table(all_forces):
 
 
 def main():
-    """Compute the table from nothing."""
+    """Compute and write the whole table."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--table", type=Path, default=TABLE)
     parser.add_argument("--processes", type=int, default=2)

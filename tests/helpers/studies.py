@@ -36,7 +36,7 @@ def check_configuration(config, folder, text=ROWS):
 def table_of_own_scans(*paths):
     """Return the text of the paper's table with measured scans in place of UNCD's."""
     rows = [row for row in ROWS.splitlines() if not row.startswith("uncd\t")]
-    rows += [f"uncd\tUNCD\t{k}\tmeasured\t{path}\t" for k, path in enumerate(paths, start=1)]
+    rows += [f"uncd\tUNCD\t{scan}\tmeasured\t{path}\t" for scan, path in enumerate(paths, start=1)]
     return "\n".join(rows) + "\n"
 
 
@@ -58,10 +58,7 @@ def tiny_files():
 
 
 def study_files(values=None, scans=(1, 2), measured_surfaces=()):
-    """Return the files of a study of these scans, with other values of some keys.
-
-    Surfaces that are measured have files.
-    """
+    """Return the files of a study of these scan numbers, with other values of some keys."""
     table = pd.read_csv(ROOT / "config/surfaces.tsv", sep="\t", keep_default_na=False)
     table = table.assign(use=selected_surfaces.CONTACT_USE, tip_radius="")
     rows = table[table.scan.isin(scans)].copy()
@@ -70,6 +67,6 @@ def study_files(values=None, scans=(1, 2), measured_surfaces=()):
     rows.loc[is_measured, "path"] = [
         f"{row.surface}-{row.scan}.nc" for row in rows[is_measured].itertuples()
     ]
-    sources = dict.fromkeys(rows.surface, FILES_DIGEST)
-    selection = selected_surfaces.Selection(rows, "ruby", sources, surfaces_of_table1())
+    digests = dict.fromkeys(rows.surface, FILES_DIGEST)
+    selection = selected_surfaces.Selection(rows, "ruby", digests, surfaces_of_table1())
     return SurfaceFiles(StudyPlan(paper_configuration(values), selection))

@@ -29,7 +29,7 @@ def test_the_spectrum_of_a_grid_has_the_rms_height_of_its_surfaces():
 
 
 def test_the_table_repeats_the_design_and_the_closed_form():
-    designed = pd.DataFrame(validate_prediction.design(validate_prediction.SURFACE_COUNT))
+    designed = pd.DataFrame(validate_prediction.design())
     pd.testing.assert_frame_equal(TABLE[designed.columns], designed, rtol=1e-4, check_dtype=False)
     for row in TABLE.to_dict("records")[::3]:
         spectrum = validate_prediction.spectrum_of(row)

@@ -24,7 +24,7 @@ def equal_files(path, reference):
 
 
 def differences(folder, reference):
-    """Return a line for each file that is missing or different in a results folder."""
+    """Return a line for each file that only one of two results folders has, or that differs."""
     relative_paths, reference_paths = result_paths(folder), result_paths(reference)
     lines = [f"{path}: missing" for path in reference_paths - relative_paths]
     lines += [f"{path}: not in the reference" for path in relative_paths - reference_paths]
@@ -37,7 +37,7 @@ def differences(folder, reference):
 
 
 def damaged_datasets(results):
-    """Return the faults of all datasets in a folder that cannot be read."""
+    """Return a line for each dataset that cannot be read; incomplete ones may stay after a kill."""
     lines = []
     for path in results.rglob("*.nc"):
         if not path.name.startswith(INCOMPLETE_PREFIX):

@@ -36,7 +36,7 @@ def write_scans(scans):
     entry = {"name": "map", "datafile": {"original": "map.nc"}}
     write_container(scans / "twin.zip", [entry], {"map.nc": scans / "map.nc"})
     x = (np.arange(128) - 63.5) * 2500 / 128
-    shape = -(x[:, None] ** 2 + x**2) / (2 * 250e3)
+    shape = -(x[:, None] ** 2 + x**2) / (2 * 250e3)  # a sphere of the radius of the paper's
     for number in range(2):
         ball = shape + uncd_heights(generator(6, number), rms=2.0)
         write_spm(scans / f"ball-{number}.001", ball, 2500.0)

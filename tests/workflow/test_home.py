@@ -22,5 +22,5 @@ def test_an_unknown_user_gets_a_name_and_a_home(monkeypatch, tmp_path):
     provide_home(tmp_path / "given")
     assert getpass.getuser() == str(os.getuid())
     assert Path.home() == tmp_path / "given" and Path.home().is_dir()
-    provide_home(tmp_path / "other")
+    provide_home(tmp_path / "other")  # not needed, because the home takes files now
     assert Path.home() == tmp_path / "given"

@@ -16,8 +16,6 @@ from hardcontact.base.atomic_file import INCOMPLETE_PREFIX
 
 pytestmark = pytest.mark.study
 
-#: Kills of one study.
-KILLS = 2
 #: Files that a run may write before a kill: in all, most files of the study.
 FILES = 10
 #: Seconds that a test waits at most for the next file.
@@ -26,7 +24,7 @@ STUDY_WORDS = ["--configfile", "config/probe.yaml", "few.yaml", "--config", "eff
 
 
 def differences_from(probe, results):
-    """Return the differences from the study that was left alone."""
+    """Return the differences of results from the probe's, whose study was not killed."""
     return [
         line
         for folder in (probe, probe.with_name(f"store-{probe.name}"))
@@ -46,12 +44,14 @@ def kill_after_files(study, *options):
             call_main("snakemake.cli", words, environment(study), output.fileno())
 
     load_job_packages()
-    count = len(result_paths(study / "results")) + FILES
+    file_count = len(result_paths(study / "results")) + FILES
     run = multiprocessing.get_context("fork").Process(target=run_as_group)
     run.start()
     end = time.monotonic() + PATIENCE
     while (
-        run.is_alive() and len(result_paths(study / "results")) < count and time.monotonic() < end
+        run.is_alive()
+        and len(result_paths(study / "results")) < file_count
+        and time.monotonic() < end
     ):
         time.sleep(0.05)  # looking costs a processor as well
     assert run.is_alive(), (study / "output").read_text()
@@ -64,8 +64,8 @@ def test_a_study_that_is_killed_twice_ends_as_one_that_is_not(probe, tmp_path):
     ignored = shutil.ignore_patterns("results", ".snakemake")
     empty = shutil.copytree(probe.parents[1], tmp_path / "empty", ignore=ignored)
     (empty / "results").mkdir()
-    for number in range(KILLS):
-        kill_after_files(empty, *["--nolock"] * (number > 0))  # The first leaves Snakemake's lock.
+    for options in ([], ["--nolock"]):  # The first kill leaves Snakemake's lock.
+        kill_after_files(empty, *options)
         assert damaged_datasets(empty / "results") == []
     locked = run_snakemake(empty, *STUDY_WORDS)
     assert locked.returncode == 1

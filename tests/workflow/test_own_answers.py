@@ -60,19 +60,18 @@ def check_answer(results, missing_figures=()):
     assert not files & {"claims.csv", "sets.nc", "report"}
 
 
-def assert_bounded(side):
+def assert_bounded(edge_data):
     """Expect an edge between cutoffs and inside its interval, or an open edge."""
-    cutoffs = side.dropna("cutoff_wavelength", subset=["filtered_force_ratio"])[
-        "cutoff_wavelength"
-    ].values
-    edge, bound = side["edge"].item(), side["edge_bound"].item()
-    low, high = side["edge_interval"].values
+    ratios = edge_data["filtered_force_ratio"].dropna("cutoff_wavelength")
+    cutoffs = ratios["cutoff_wavelength"].values
+    edge, bound = edge_data["edge"].item(), edge_data["edge_bound"].item()
+    low, high = edge_data["edge_interval"].values
     assert np.isnan(edge) == np.isfinite(bound)
     for end in (edge, low, high):
         assert np.isnan(end) or cutoffs.min() <= end <= cutoffs.max()
     assert not low >= high
     if np.isnan(edge):
-        assert bound in (cutoffs.min(), cutoffs.max()) and side["edge_status"] != "found"
+        assert bound in (cutoffs.min(), cutoffs.max()) and edge_data["edge_status"] != "found"
     else:
         assert not edge < low and not edge > high
 
@@ -83,7 +82,8 @@ def assert_bounded(side):
 def test_surfaces_on_different_grids_have_their_own_answers(several):
     check_answer(several)
     surfaces = read_quantities(several)
-    film, twin = (surfaces[name] for name in ("my_film", "twin"))
+    film, twin = surfaces["my_film"], surfaces["twin"]
+    # 96 of 128 rows of 2000 nm, and 128 of 2500 nm.
     assert (film["scan_size"]["value"], twin["scan_size"]["value"]) == (1500.0, 2500.0)
     assert film["pixel_size"]["value"] == pytest.approx(15.625)
     assert twin["pixel_size"]["value"] == pytest.approx(19.53, abs=0.01)

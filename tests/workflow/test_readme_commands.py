@@ -55,9 +55,9 @@ def commands(text):
 
 
 def calls(text):
-    """Return the programs that a text calls, with their words.
+    """Yield the programs that a text calls, with their words.
 
-    Programs of an environment have its path, or follow a line that activates it.
+    Expects programs of an environment to have its path, or to follow a line that activates it.
     """
     typed = commands(text)
     assert len(typed) > 5

@@ -17,14 +17,14 @@ def test_figures_and_pages_are_redrawn_from_the_datasets_alone(finished, tmp_pat
     results = study / "results/tiny"
     (results / "figures/.origin").mkdir(parents=True)
     finished_results = finished / "results/tiny"
-    packages = ("environment.txt", "lock.txt")
-    copied = [
-        *(finished / "results" / name for name in packages),
+    package_lists = ("environment.txt", "lock.txt")
+    copied_paths = [
+        *(finished / "results" / name for name in package_lists),
         *(path for path in finished_results.glob("*.*") if path.suffix in (".nc", ".csv", ".yaml")),
         *(path for path in finished_results.glob("figures/[!.]*") if path.stem not in DRAWN_AGAIN),
         *finished_results.glob("figures/.origin/*"),
     ]
-    for path in copied:
+    for path in copied_paths:
         shutil.copyfile(path, study / path.relative_to(finished))
     run = run_snakemake_with_forks(study, *REDRAW, "--verbose")
     assert run.returncode == 0, run.stdout[-3000:]
@@ -32,7 +32,7 @@ def test_figures_and_pages_are_redrawn_from_the_datasets_alone(finished, tmp_pat
     assert jobs == {f"draw_{name}" for name in DRAWN_AGAIN} | {"answer_paper"}
     # Nothing is computed: no store, only the lists of packages.
     result_folders = {path.name for path in (study / "results").iterdir()}
-    assert result_folders == {"tiny", *packages}
+    assert result_folders == {"tiny", *package_lists}
     finished_paths = [*(finished_results / "figures").glob("[!.]*")]
     finished_paths += (finished_results / "report").glob("*.html")
     finished_paths += (finished_results / name for name in ("answer.html", "answer.json"))

@@ -29,8 +29,9 @@ def test_links_and_names_of_files_lead_to_files(path):
 
 
 def is_rounded(printed, number):
-    """Whether a text is a number with fewer decimals."""
+    """Return True if a printed number is another text's number, rounded to its decimals."""
     decimals = len(printed.partition(".")[2])
+    # Half a unit of the last decimal, and the error of binary numbers.
     return abs(float(printed) - float(number)) <= 0.501 * 10**-decimals
 
 

@@ -1,7 +1,7 @@
 """After a change, a dry run plans exactly the files that depend on it.
 
-A change is a key, a column, a file, a script or a module; one or two of each stage are tried. The
-inputs of each job are compared with the modules that its script loads.
+A change is a key, a file or a module. The inputs of each job are compared with the modules that its
+script loads.
 """
 
 import ast
@@ -41,8 +41,8 @@ def imports(path):
             yield ast.unparse(node)
 
 
-def load(script, *names):
-    """Return the modules of the library, as paths, that a script and given modules load."""
+def loaded_modules(script, *names):
+    """Return the paths of the library's modules that a script and further modules load."""
     use_library_of(ROOT)
     for name in names:
         importlib.import_module(name)
@@ -67,14 +67,14 @@ def run_dry(folder):
 
 
 @pytest.mark.parametrize("option", ["--tou", "-Ft"])
-def test_times_are_not_renewed(tmp_path, option):
+def test_touch_is_refused(tmp_path, option):
     study = copy_repository(tmp_path / "study")
     run = run_snakemake(study, "describe_study", option, "--configfile", TINY)
     assert run.returncode == 1
     assert_says(run.stdout, "inputs, not file times", "snakemake -n")
 
 
-#: Rules made in loops, one per group of scans.
+#: Beginnings of names of rules made in loops, one per batch of scans.
 LOOPED = {"make_scans"}
 
 
@@ -84,10 +84,10 @@ class Graph:
     def __init__(self, finished):
         lines = run_tiny_study(finished, "--detailed-summary").stdout.splitlines()
         header = next(n for n, line in enumerate(lines) if line.startswith("output_file\t"))
-        self.inputs, self.rule = {}, {}
+        self.inputs, self.rules = {}, {}
         for row in csv.DictReader(lines[header:], delimiter="\t"):
             self.inputs[row["output_file"]] = set(row["input-file(s)"].split(","))
-            self.rule[row["output_file"]] = row["rule"]
+            self.rules[row["output_file"]] = row["rule"]
 
     def readers(self, path):
         """Return the files that have a file among their inputs."""
@@ -97,11 +97,11 @@ class Graph:
         """Return the files of some rules; rules made in a loop have longer names."""
         return {
             path
-            for path, rule in self.rule.items()
+            for path, rule in self.rules.items()
             if rule in rules or any(rule.startswith(f"{name}_") for name in LOOPED & rules)
         }
 
-    def following(self, changed_files):
+    def following_rules(self, changed_files):
         """Return the rules of some files and of all files that depend on them."""
         changed_files = set(changed_files)
         while (
@@ -109,7 +109,7 @@ class Graph:
             - changed_files
         ):
             changed_files |= added_files
-        return {self.rule[path] for path in changed_files}
+        return {self.rules[path] for path in changed_files}
 
 
 @pytest.fixture(scope="module")
@@ -139,17 +139,17 @@ def rules_of(jobs):
 
 
 def test_the_modules_that_a_script_loads_are_inputs_of_its_jobs(graph):
-    """A change of a module then has the effect of a change of the script, which is tested below."""
+    """A changed module then repeats the jobs that load it, as is tested below."""
     for module in pkgutil.walk_packages(hardcontact.__path__, "hardcontact."):
         importlib.import_module(module.name)  # Other packages are then loaded once.
     runs = {}
-    for path, rule in graph.rule.items():
+    for path, rule in graph.rules.items():
         (script,) = (Path(file).name for file in graph.inputs[path] if "workflow/scripts/" in file)
         figure = [f"hardcontact.report.figures.{rule[5:]}"] if script == "draw_figure.py" else []
         library = {file for file in graph.inputs[path] if file.startswith("workflow/hardcontact/")}
         runs.setdefault((script, *figure), set()).add(frozenset(library))
     for program, programs_run in runs.items():
-        assert programs_run == {frozenset(run_forked(load, *program))}, program
+        assert programs_run == {frozenset(run_forked(loaded_modules, *program))}, program
 
 
 # Nothing changed
@@ -157,8 +157,8 @@ def test_the_modules_that_a_script_loads_are_inputs_of_its_jobs(graph):
 
 def rewrite_files(folder):
     """Write all files again, as a checkout does: other comments, another order of keys."""
-    for part in STUDY_FILES:
-        for path in [folder / part, *(folder / part).rglob("*")]:
+    for name in STUDY_FILES:
+        for path in [folder / name, *(folder / name).rglob("*")]:
             if path.is_file():
                 content = path.read_bytes()
                 path.unlink()
@@ -213,12 +213,12 @@ def test_a_changed_key_repeats_exactly_its_dependents(
 ):
     """The study's records decide, whatever Snakemake remembers of the run."""
     planned_jobs = dry(set_keys({}, {key: value}), change_metadata)
-    assert rules_of(planned_jobs) == graph.following(
+    assert rules_of(planned_jobs) == graph.following_rules(
         graph.files_of_rules(concerned | KEEPS_EVERY_KEY)
     )
 
 
-# A column, a file, a script, a module
+# A file or a module
 
 
 def append_line(path):
@@ -237,4 +237,4 @@ def append_line(path):
 def test_a_changed_file_repeats_exactly_its_dependents(dry, graph, path):
     readers = graph.readers(path)
     assert readers
-    assert rules_of(dry(change=append_line(path))) == graph.following(readers)
+    assert rules_of(dry(change=append_line(path))) == graph.following_rules(readers)

@@ -82,7 +82,7 @@ def unseen_tick_labels(axes):
 def test_texts_are_large_enough_inside_the_figure_and_do_not_overlap(draw_checked, name):
     figure = draw_checked(name)
     width, height = figure.get_size_inches()
-    assert width == drawing.WIDTH and 2 < height < 9
+    assert width == drawing.WIDTH and 2 < height < 9  # inches: less than a page
     boxes = texts(figure)
     assert min(text.get_fontsize() for text, _ in boxes) >= 7  # points
     sheet = figure.bbox

@@ -152,7 +152,7 @@ def run_slurm(folder):
 
 
 def stop(process, signal_number):
-    """End one process by its number, by force if it does not listen."""
+    """End one process by a signal, or by force if it does not end within 30 s."""
     process.send_signal(signal_number)
     try:
         process.wait(30)
@@ -161,8 +161,8 @@ def stop(process, signal_number):
         process.wait()
 
 
-def computing(study):
-    """Return the SLURM job that computes the rule to be cancelled, or an empty text."""
+def job_to_cancel(study):
+    """Return the number of the running SLURM job of CANCELLED, or an empty text."""
     group, rule = CANCELLED
     if not any((study / "results").glob(f"*/logs/{rule}/**/*.log")):  # A job begins with its log.
         return ""
@@ -187,7 +187,7 @@ def run_and_cancel(study, log, targets):
     """Run targets of the tiny study through SLURM and cancel one job; return its number."""
     run = start_run(study, log, *targets, "--verbose")
     try:
-        job = until(lambda: run.poll() is not None or computing(study), "a job", RUN_SECONDS)
+        job = until(lambda: run.poll() is not None or job_to_cancel(study), "a job", RUN_SECONDS)
         assert run.poll() is None, f"ended before a job could be cancelled: {log.read_text()}"
         ask("scancel", job)
         assert run.wait(RUN_SECONDS) == 0, log.read_text()[-3000:]

@@ -13,7 +13,7 @@ from snakemake.logging import DefaultFormatter
 from snakemake_interface_logger_plugins.common import LogEvent
 
 from snakemake_logger_plugin_stages import LogHandler
-from snakemake_logger_plugin_stages.cluster import failure, study_logger
+from snakemake_logger_plugin_stages.cluster import failure_line, study_logger
 from snakemake_logger_plugin_stages.costs import Stage, read_stages
 
 #: Rules of jobs; `my_rule` is not in the table of stages.
@@ -40,7 +40,7 @@ def info(message, event=None, **fields):
     return logging.INFO, "snakemake.logging", message, {"event": event, **fields}
 
 
-def run(finished):
+def run_records(finished):
     """Yield Snakemake's records of a run of JOBS with a number of finished jobs."""
     yield info("long list", LogEvent.RUN_INFO, stats={"prepare_scan": 2, "my_rule": 1, "total": 3})
     for number, rule in enumerate(JOBS):
@@ -51,12 +51,12 @@ def run(finished):
 
 @pytest.mark.parametrize("finished", range(4))
 def test_a_stage_has_a_line_once_all_of_its_jobs_are_done(capsys, finished):
-    plan, *lines = show(capsys, run(finished))
+    plan, *lines = show(capsys, run_records(finished))
     assert plan.startswith("3 jobs, about ")
     done = [
         name
-        for name, number_of_jobs in (("levelled scans", 2), ("my rule", 3))
-        if number_of_jobs <= finished
+        for name, job_count in (("levelled scans", 2), ("my rule", 3))  # in the order of JOBS
+        if job_count <= finished
     ]
     assert [line[:40].strip() for line in lines] == done
     if finished == 3:
@@ -75,7 +75,7 @@ def test_other_processes_lengthen_the_planned_time(capsys, monkeypatch):
     monkeypatch.setattr("snakemake_logger_plugin_stages.read_stages", lambda column: stages)
     for load, minutes in ((0.0, 2), (6.0, 8)):
         monkeypatch.setattr("os.getloadavg", lambda load=load: (load, 0.0, 0.0))
-        assert show(capsys, run(0))[0] == f"3 jobs, about {minutes} minutes"
+        assert show(capsys, run_records(0))[0] == f"3 jobs, about {minutes} minutes"
 
 
 def test_time_left_counts_what_jobs_cost(capsys, monkeypatch):
@@ -87,7 +87,7 @@ def test_time_left_counts_what_jobs_cost(capsys, monkeypatch):
 
     def twenty_seconds():
         yield info("Provided cores: 1", LogEvent.RESOURCES_INFO, cores=1)
-        *records, last_record = run(2)
+        *records, last_record = run_records(2)
         yield from records
         clock.monotonic = lambda: 30.0
         yield last_record
@@ -116,7 +116,7 @@ def test_a_job_that_fails_has_one_line_that_names_its_log(capsys, tmp_path, has_
             {"event": LogEvent.ERROR, "exception": "WorkflowError"},
         ),
     ]
-    _, line = show(capsys, [*run(0), *errors])
+    _, line = show(capsys, [*run_records(0), *errors])
     assert line == "Error in rule my_rule" + f": see {log}" * has_log
 
 
@@ -215,17 +215,15 @@ def test_a_failure_has_the_reason_of_slurm_and_the_key_that_mends_it(tmp_path, m
     path.write_text(f"some output\n{log}\n")
     keys = ("slurm_account", "slurm_partition", "runtime", "mem_mb")
     job = SimpleNamespace(name="my_rule", resources=dict.fromkeys(keys, 3))
-    reported = failure(job, message, [str(path)])
+    reported = failure_line(job, message, [str(path)])
     assert reported.startswith(f"SLURM job my_rule: {line}") and reported.endswith(f", see {path}")
-    assert_says(failure(job, message, []), "SLURM job my_rule: ")
+    assert_says(failure_line(job, message, []), "SLURM job my_rule: ")
 
 
-def test_every_rule_with_jobs_has_a_name_for_people():
+def test_every_rule_that_makes_files_has_a_name_for_the_terminal():
     rules = {
         name
         for path in (ROOT / "workflow/rules").glob("*.smk")
-        for name in re.findall(r"^rule (\w+):", path.read_text("utf-8"), re.M)
+        for name in re.findall(r"^ *rule (\w+):", path.read_text("utf-8"), re.M)
     }
-    assert rules - read_stages("full").keys() == {
-        "verify"  # which makes no file
-    }
+    assert rules - {"verify"} == rules & read_stages("full").keys()  # `verify` makes no file.

@@ -38,7 +38,7 @@ OTHER_WORDS = {
 
 
 def other_value(key, value):
-    """Return another value of a key: 2 more, a few percent less, one tile fewer, or a word."""
+    """Return another value of a key: another number, one tile fewer, or another word."""
     if key in OTHER_WORDS:
         return next(word for word in OTHER_WORDS[key] if word != value)
     if key.endswith("tiles"):
@@ -49,7 +49,7 @@ def other_value(key, value):
 
 
 def other_number(value):
-    """Return another quantity, truth value or number."""
+    """Return a quantity 3 % less, a number 10 % less, a count 2 more, or the other truth value."""
     if isinstance(value, str):
         number, unit = value.split()
         return f"{0.97 * float(number):.4g} {unit}"

@@ -1,9 +1,9 @@
-# Adhesion: rigid and plastic pull-off of the sphere on every substrate scan.
+# Adhesion: rigid and plastic pull-off forces of the sphere on every substrate scan.
 # Names in capitals that are not defined here: common.smk and surfaces.smk.
 
 
 rule compute_pull_off:
-    """Compute rigid and plastic pull-off of a substrate scan, at each position on the sphere."""
+    """Compute the pull-off forces on a substrate scan, at each position on the sphere."""
     input:
         substrate=lambda w: FILES.mirrored_scan_path(w.surface, int(w.scan)),
         spheres=FILES.mirrored_scan_paths(SELECTION.sphere),

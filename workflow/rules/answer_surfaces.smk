@@ -6,7 +6,7 @@ from hardcontact.config.user_files import read_yaml
 from hardcontact.records.code import page_templates
 from hardcontact.report.figures.listing import FILE_KINDS, OWN_FIGURES
 
-#: The figure of works of adhesion shows the fit to measured forces.
+#: The figure `works` shows the fit to measured forces.
 DRAWN_FIGURES = [name for name in OWN_FIGURES if name != "works" or HAS_FORCES]
 
 

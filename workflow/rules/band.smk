@@ -10,8 +10,8 @@ BAND_SURFACES = SELECTION.substitute_substrates
 BAND_FORCES = RESULTS.dataset("band/{surface}")
 
 
-# Intervals are over masters, because each has its own scan and all are independent. Studies with few
-# scans use `find_edges_of_scans` (own_surfaces.smk).
+# Intervals are over masters, because each master of a substitute has its own scan, so that all are
+# independent. The masters of `find_edges_of_scans` (own_surfaces.smk) share scans.
 rule find_edges_of_masters:
     """Find the edges of the band of the paper's study: edges.nc."""
     input:
@@ -25,7 +25,7 @@ rule find_edges_of_masters:
 
 
 rule compute_band_forces:
-    """Compute forces in three cases: the band alone, no shorter waves, no longer waves."""
+    """Compute forces with all waves, with a band alone, without shorter and without longer waves."""
     input:
         **DESCRIPTION_INPUTS,
         **SUBSTITUTE_INPUTS,
@@ -45,7 +45,7 @@ rule compute_band_forces:
 
 
 rule aggregate_band_forces:
-    """Gather the forces on the band alone, relative to those with all roughness: band_forces.nc."""
+    """Gather the forces with parts of the roughness, relative to all of it: band_forces.nc."""
     input:
         surfaces=[FILES.path(BAND_FORCES, surface) for surface in BAND_SURFACES],
     output:

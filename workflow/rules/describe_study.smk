@@ -1,7 +1,7 @@
 # Description of a study: its configuration, and the list of its variables.
 # Names in capitals that are not defined here: common.smk.
 
-#: The final datasets of the study: those of all rules before, except the parts of a dataset.
+#: The final datasets of all rules before, except those with wildcards, which others gather.
 FINAL_DATASETS = [
     path
     for dataset_rule in workflow.rules

@@ -11,7 +11,7 @@ SAMPLED_CHUNKS = [] if IS_PAPER_STUDY else CHUNKS.master_forces("sampled")
 
 
 rule synthesize_masters:
-    """Replace wavelengths of a scan beyond the transition of a side by random roughness."""
+    """Make a master for each side: a scan with random waves beyond the side's transition."""
     input:
         scan=lambda w: FILES.contact_map_path(
             w.surface, PLAN.master_scan(w.surface, int(w.realization))
@@ -20,7 +20,7 @@ rule synthesize_masters:
     output:
         **{side: STORE.masters.replace("{side}", side) for side in SIDES},
     resources:
-        # The grid of the long side has at least the pixels of its masters.
+        # A long-edge master has at most the pixels of the surfaces in contact, which `band` gives.
         mem_mb=largest_master_megabytes(SETTINGS["band"]),
     params:
         parameters=lambda w: dict(

@@ -1,10 +1,10 @@
-# What follows for the user's surfaces: whether their scans may be extrapolated (hindcast), the edges of the
-# band, the force on the surfaces, and the fit to measured forces.
+# The user's surfaces: whether their scans may be extrapolated (hindcast), the edges of the band, the force,
+# and the fit to measured forces.
 # Names in capitals that are not defined here: common.smk and surfaces.smk.
 
 
 rule compute_hindcast_forces:
-    """Compute the forces on a scan with either outermost octave replaced, and with wider pixels."""
+    """Compute forces on a scan with its shortest or longest octave replaced, and on wider pixels."""
     input:
         mirrored=lambda w: FILES.contact_map_path(w.surface, int(w.scan)),
         spectrum=lambda w: FILES.contact_spectrum_path(w.surface),
@@ -47,7 +47,7 @@ if PLAN.measured_scan_ids:
 
 #: The tests of measured scans; substitutes have none.
 HINDCAST = RESULTS.dataset("hindcast") if PLAN.measured_scan_ids else []
-#: The scans that masters share, and how forces on masters are compared.
+#: How many scans the masters share, and how forces on masters are compared.
 MASTER_PARAMETERS = {
     "scan_counts": {name: len(SELECTION.contact_scans(name)) for name in SELECTION.substrates},
     "tiles": STUDY["band"]["long"]["tiles"],
@@ -56,8 +56,8 @@ MASTER_PARAMETERS = {
 }
 
 
-# The forces are on masters, but several masters share a scan and are not independent. So intervals are
-# over parts of scans. The masters of `find_edges_of_masters` (band.smk) are independent.
+# Masters share scans, so the forces on them are not independent, and intervals come from parts of the
+# scans (`inference/scan_parts.py`). The masters of `find_edges_of_masters` (band.smk) are independent.
 rule find_edges_of_scans:
     """Find the edges of the band of the user's surfaces: edges.nc."""
     input:
@@ -73,7 +73,7 @@ rule find_edges_of_scans:
 
 
 rule compute_force_dataset:
-    """Compute forces at one work, at one range also with extrapolated roughness: force.nc."""
+    """Compute forces at the study's work of adhesion, also with extrapolated roughness: force.nc."""
     input:
         adhesion=RESULTS.dataset("adhesion"),
         filtered_forces=RESULTS.dataset("filtered_forces"),

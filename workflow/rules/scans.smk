@@ -51,7 +51,7 @@ rule measure_spectrum:
 for scan_numbers, surfaces in PLAN.scan_batches.items():
 
     rule:
-        """Condition a batch of substitute scans on Table 1, make them, and prepare them."""
+        """Make a batch of substitute scans, conditioned on Table 1; level and mirror them."""
         name:
             f"make_scans_{'_'.join(map(str, scan_numbers))}"
         input:

@@ -8,7 +8,7 @@ SET_CHUNKS = CHUNKS.master_forces("sets")
 
 
 rule compute_pool:
-    """Compute the forces of some scans of a pool, each scaled to several rms heights."""
+    """Compute the forces on some scans of a pool, each scaled to several rms heights."""
     input:
         **SUBSTITUTE_INPUTS,
     output:
@@ -26,7 +26,7 @@ rule compute_pool:
 
 
 rule compute_featured_candidates:
-    """Compute the forces on some surfaces with features that Table 1 accepts."""
+    """Compute the forces on some surfaces with features and the roughness of Table 1."""
     input:
         **SUBSTITUTE_INPUTS,
     output:

@@ -3,7 +3,7 @@
 
 
 rule sample_spectra:
-    """Sample a spectrum for each realization, within the uncertainty of its measurements."""
+    """Sample spectra of a surface, one per realization, within the uncertainty of its scans."""
     input:
         measurements=lambda w: FILES.measurement_paths(w.surface),
     output:

@@ -1,4 +1,4 @@
-"""Pull-off forces of all surfaces, scans, contact models and ranges of adhesion."""
+"""Pull-off forces on all substrate scans, by contact model and range of adhesion: adhesion.nc."""
 
 from hardcontact.base.dataset import add_surface_names, read_by_key
 from hardcontact.contact.pull_off import stack_pull_off_forces

@@ -1,4 +1,4 @@
-"""The force with a part of the roughness, relative to all roughness: band_forces.nc."""
+"""Forces with a part of the roughness, relative to those with all of it: band_forces.nc."""
 
 from hardcontact.base.dataset import add_surface_names, read_by_name, stack
 from hardcontact.inference.band_forces import band_ratios

@@ -1,4 +1,4 @@
-"""C_iso of a substitute surface, from its description and the published Table 1."""
+"""The spectrum of a substitute, from its description and the published Table 1."""
 
 from hardcontact.base import published
 from hardcontact.records.job import run_job

@@ -1,4 +1,4 @@
-"""C_iso of both bodies: the spectrum of the substrate plus that of the sphere."""
+"""The spectrum of both bodies: that of the substrate plus that of the sphere."""
 
 from hardcontact.base.dataset import read_dataset
 from hardcontact.records.job import run_job

@@ -1,4 +1,4 @@
-"""Forces on whole substitute surfaces with parts of their roughness, inside and outside bands."""
+"""Forces on whole substitute surfaces with all roughness, and with parts of it by bands."""
 
 from hardcontact.base import published
 from hardcontact.base.dataset import read_dataset, stack

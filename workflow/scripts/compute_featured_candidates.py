@@ -1,4 +1,4 @@
-"""Pull-off forces on scans of some surfaces with features, whose roughness is that of Table 1."""
+"""Pull-off forces on scans of some surfaces with features and the roughness of Table 1."""
 
 from hardcontact.contact.contact import Contact
 from hardcontact.paper.featured_candidates import compute_candidates

@@ -20,7 +20,7 @@ with run_job(snakemake) as job:
         Contact(radius=radii[0], **contact_grid, **loading) for loading in params["loadings"]
     ]
     sphere = load_height_map(job.input.sphere) if job.input.sphere else None
-    sides = [side for side in SIDES if side in params["sides"]]
+    sides = [side for side in SIDES if side in params["sides"]]  # JSON sorted them.
     forces = {}
     for index, realization in enumerate(params["realization_numbers"]):
         for side in sides:
@@ -30,7 +30,7 @@ with run_job(snakemake) as job:
             else:
                 scan = load_height_map(job.input.scans[index])
                 spectrum_data = read_dataset(job.input.spectra[index])
-                # A sampled spectrum has a factor on the heights of its scan.
+                # A sampled spectrum comes with a factor for the heights of the scan.
                 factor = spectrum_data.attrs.get("height_factor", 1.0)
                 scan = replace(scan, heights=scan.heights * factor)
                 spectrum = spectrum_of_dataset(spectrum_data)

@@ -31,7 +31,7 @@ with run_job(snakemake) as job:
     extrapolated_forces = find_extrapolated_forces(
         filtered_forces, master_scans, contact.work, confidence
     )
-    # Both forces are compared before pixels and hindcast widen the intervals.
+    # The force on scans and the extrapolated one are compared before their intervals are widened.
     force = add_extrapolated_force(scan_forces, extrapolated_forces, tolerance)
     force = widen_intervals(force, hindcast, contact.rho)
     force = bound_by_smooth_sphere(force, contact.area)

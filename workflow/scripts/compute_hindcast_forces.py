@@ -1,4 +1,4 @@
-"""Forces on a scan with random waves as its outermost octave, and with wider pixels."""
+"""Forces on a scan with random waves as its shortest or longest octave, and on wider pixels."""
 
 from hardcontact.base.dataset import read_dataset
 from hardcontact.contact.contact import Contact
@@ -16,12 +16,12 @@ with run_job(snakemake) as job:
     sphere = load_height_map(job.input.sphere) if job.input.sphere else None
     measurements = read_dataset(job.input.spectrum).isel(measurement=params["measurement_indices"])
     octaves = outermost_octaves(measurements, params["transitions"])
-    # Of the substrate's scan half of the mirrored map is used, of the sphere's scan all.
-    sizes = [mirrored.size / 2, *measurements["size"].values[1:]]
+    # Widths of the scans: of the substrate, and of the sphere if the map has its roughness.
+    scan_sizes = [mirrored.size / 2, *measurements["size"].values[1:]]
     bodies = [
         RandomBody(load_spectrum(path), size, params["seed"], scan_id)
         for path, size, scan_id in zip(
-            job.input.body_spectra, sizes, params["body_scans"], strict=True
+            job.input.body_spectra, scan_sizes, params["body_scans"], strict=True
         )
     ]
     compute_forces = make_force_function(contact, sphere)

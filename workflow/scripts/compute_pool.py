@@ -15,5 +15,5 @@ with run_job(snakemake) as job:
     targets = required_targets(substitute)
     rms_heights = pool_rms_heights(targets, params["scan_count"], params["rms_height_count"])
     pool = compute_pool(scan_numbers, substitute, rms_heights, contact, params["ranges"])
-    numbers = f"{scan_numbers[0]} to {scan_numbers[-1]}"
-    job.write(pool, title=f"pull-off forces of scans {numbers} of the pool of {params['surface']}")
+    span = f"{scan_numbers[0]} to {scan_numbers[-1]}"
+    job.write(pool, title=f"pull-off forces of scans {span} of the pool of {params['surface']}")

@@ -1,4 +1,4 @@
-"""Pull-off of a scan at each position on the sphere; effects of window and pixels."""
+"""Pull-off forces on a scan at each position on the sphere; effects of window and pixels."""
 
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies, spheres_at_positions
@@ -13,9 +13,10 @@ with run_job(snakemake) as job:
     spheres = []
     for path in job.input.spheres:
         spheres += spheres_at_positions(load_height_map(path), params["positions_per_row"])
-    all_bodies = {
-        number: join_bodies(substrate, sphere, contact)
-        for number, sphere in zip(params["sphere_positions"], spheres or [None], strict=True)
+    spheres = spheres or [None]  # None: a smooth sphere
+    bodies_by_position = {
+        position: join_bodies(substrate, sphere, contact)
+        for position, sphere in zip(params["sphere_positions"], spheres, strict=True)
     }
-    forces = pull_off_with_checks(all_bodies, contact, params["ranges"])
+    forces = pull_off_with_checks(bodies_by_position, contact, params["ranges"])
     job.write(forces, title="pull-off forces of one substrate scan on all scans of the sphere")

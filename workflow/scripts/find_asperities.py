@@ -12,9 +12,9 @@ with run_job(snakemake) as job:
     settings = params["asperities"]
     surface = params["surface"]
     contact = Contact(**params["contact"])
-    scans = zip(params["scans"], job.input.substrates, job.input.spheres, strict=True)
+    scans_and_paths = zip(params["scans"], job.input.substrates, job.input.spheres, strict=True)
     asperities = {}
-    for scan, *paths in scans:
+    for scan, *paths in scans_and_paths:
         rng = generator(params["seed"], surface, scan, "contacts for asperities")
         asperities[(scan,)] = find_carrying_asperities(
             read_bodies(*paths, contact),

@@ -19,7 +19,7 @@ with run_job(snakemake) as job:
         for surface, forces in forces_by_surface.items()
     }
     whole_surface_forces = None
-    if plastic_forces:
+    if plastic_forces:  # Only substitutes have whole surfaces.
         whole_surface_forces = stack(plastic_forces, ["surface"])["pull_off_force"]
     posterior = posterior_dataset(sets, whole_surface_forces, published_forces, sampling)
     job.write(posterior, title="range and work of adhesion that explain the published forces")

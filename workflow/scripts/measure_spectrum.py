@@ -1,4 +1,4 @@
-"""C_iso of a measured surface: joined from all its measurements, and extrapolated beyond them."""
+"""The spectrum of a measured surface: joined from its scans, and extrapolated beyond them."""
 
 from hardcontact.records.job import run_job
 from hardcontact.scans.defects import level_and_list_defects

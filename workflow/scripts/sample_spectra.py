@@ -1,4 +1,4 @@
-"""Spectra sampled within the uncertainty of the measurements of a surface, one per realization."""
+"""Spectra of a surface, one per realization, sampled within the uncertainty of its scans."""
 
 from hardcontact.base.arrays import generator
 from hardcontact.records.job import run_job

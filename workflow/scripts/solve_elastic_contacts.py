@@ -14,9 +14,9 @@ with run_job(snakemake) as job:
     contact = Contact(
         rho=constants["range_of_adhesion"], work=constants["work_of_adhesion"], **params["contact"]
     )
-    scans = zip(params["scans"], job.input.substrates, job.input.spheres, strict=True)
+    scans_and_paths = zip(params["scans"], job.input.substrates, job.input.spheres, strict=True)
     contacts = {}
-    for scan, *paths in scans:
+    for scan, *paths in scans_and_paths:
         rng = generator(params["seed"], surface, scan, "elastic contacts")
         contacts[(scan,)] = solve_elastic_contacts(
             read_bodies(*paths, contact),

@@ -1,4 +1,4 @@
-"""Masters: a scan with artificial roughness below the transition, and one with it above."""
+"""Masters of a scan: one with random waves below the short transition, one above the long."""
 
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.height_map import load_height_map

@@ -26,7 +26,7 @@ from snakemake_logger_plugin_stages.command_line import cost_column, error_line,
 from snakemake_logger_plugin_stages.costs import Stage, read_stages, stage_of
 from snakemake_logger_plugin_stages.home import provide_home
 
-#: The home of a user without one.
+#: The home of a user without a home that takes files.
 HOME = Path(".snakemake/home")
 #: Seconds without a line after which a line reports the progress: nobody waits longer in doubt.
 MAX_SILENCE_SECONDS = 30
@@ -49,7 +49,7 @@ EXECUTOR_MESSAGES = (
 
 
 class LogHandler(LogHandlerBase):
-    """Shows stages, Snakemake's warnings and the study's messages."""
+    """Shows stages, Snakemake's warnings and errors, and the study's messages."""
 
     writes_to_stream = True
     writes_to_file = False
@@ -71,7 +71,7 @@ class LogHandler(LogHandlerBase):
         self._crowding = 1.0  # processes per processor
         self._done = Counter[str]()
         self._rules: dict[int, str] = {}  # by job
-        self._begin: dict[str, float] = {}  # of the first job of each rule
+        self._begin: dict[str, float] = {}  # time at which the first job of each rule began
         self._ended = threading.Event()
         self._last_line = time.monotonic()
         if not self._shows_snakemake_log:
@@ -118,12 +118,12 @@ class LogHandler(LogHandlerBase):
             self._say(f"Error in rule {fields['rule_name']}{see}")
 
     def _show_error(self, record: LogRecord, exception: str) -> None:
-        """Show an error in one line, unless it repeats the failure of a job, which has a line."""
+        """Show an error, but not one that repeats the failure of a job, which has a line."""
         message = record.getMessage()
-        repeats = exception in JOB_EXCEPTIONS or message.endswith(INCOMPLETE_MESSAGE)
-        line = "" if self._planned else error_line(exception, message)
-        if line or self._shows_snakemake_log or not (self._planned and repeats):
-            self._say(line or self.format(record))
+        if not self._planned:
+            self._say(error_line(exception, message) or self.format(record))
+        elif not (exception in JOB_EXCEPTIONS or message.endswith(INCOMPLETE_MESSAGE)):
+            self._say(self.format(record))
 
     def _plan(self, jobs: dict[str, int]) -> None:
         """Show the number of planned jobs and about the time that they take."""

@@ -14,7 +14,7 @@ from snakemake_interface_executor_plugins.executors.remote import RemoteExecutor
 #: The logger of the study's own messages.
 study_logger = logging.getLogger("snakemake.logging.study")
 PROFILE = "profiles/slurm/profile.yaml"
-#: Patterns of SLURM's reasons, each with the resource of a job that mends it; the first decides.
+#: Patterns of SLURM's reasons, each with the job resource that mends it; the first match decides.
 REMEDIES = {
     r"account": "slurm_account",
     r"partition": "slurm_partition",
@@ -31,7 +31,7 @@ REASON_PATTERNS = (
 SLURM_LINE = re.compile(r"^slurmstepd\S*: error: (.*)$", re.M)
 
 
-#: What the executor does with a job that failed.
+#: What Snakemake does at the failure of a job.
 _print_job_error = RemoteExecutor.print_job_error
 #: The lines of jobs that were logged.
 _logged = set[str]()
@@ -43,20 +43,20 @@ def log_reasons() -> None:
 
 
 def _log_reason(executor: Any, job_info: Any, msg: str | None = None, **fields: Any) -> None:
-    line = failure(job_info.job, msg or "", fields.get("aux_logs", []))
+    line = failure_line(job_info.job, msg or "", fields.get("aux_logs", []))
     if line not in _logged:
         study_logger.error(line)
     _logged.add(line)
     _print_job_error(executor, job_info, msg, **fields)
 
 
-def failure(job: Any, message: str, logs: Iterable[str]) -> str:
+def failure_line(job: Any, message: str, logs: Iterable[str]) -> str:
     """Return the line of a job that failed, from the message of the executor and SLURM's logs."""
     files = [Path(log) for log in logs if log and Path(log).is_file()]
     texts = [file.read_text("utf-8", "replace") for file in files]
     slurm_lines = [line for text in texts for line in SLURM_LINE.findall(text)]
     reason = ": ".join([_reason(message), *slurm_lines[:1]])
-    key = next((key for words, key in REMEDIES.items() if re.search(words, reason, re.I)), "")
+    key = next((key for pattern, key in REMEDIES.items() if re.search(pattern, reason, re.I)), "")
     remedy = f": change {key} (now {job.resources.get(key)}) in {PROFILE}" if key else ""
     see = f", see {files[0]}" if files else ""
     return f"SLURM job {job.name}: {reason}{remedy}{see}"

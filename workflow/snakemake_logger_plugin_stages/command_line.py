@@ -1,4 +1,4 @@
-"""Faults of the command line of a run that Snakemake does not explain."""
+"""The command line of a run: its kind of study, and faults that Snakemake does not explain."""
 
 import sys
 from argparse import ArgumentParser, Namespace
@@ -24,7 +24,7 @@ def _options() -> Namespace:
 
 
 def cost_column() -> str:
-    """Return the column of costs: of a first answer, of the user's surfaces or of the paper."""
+    """Return the column of costs: of a quick study, of the user's surfaces or of the paper."""
     options = _options()
     if "config/quick.yaml" in options.configfile or "effort=quick" in options.config:
         return "quick"
@@ -45,13 +45,14 @@ def _missing_target(name: str) -> str:
 
     figures = () if _has_own_surfaces() else PAPER_FIGURES
     targets = OWN_TARGETS if _has_own_surfaces() else PAPER_TARGETS
+    # Without measured forces no rule makes the target `fit`.
     question = spelling_question(name, {*targets, *figures} - {name})
     expected = "a target" if question else f"one of {', '.join(targets)}"
     return f"error: expected {expected}, or a file of the study, found {name}{question}"
 
 
 def _has_own_surfaces() -> bool:
-    """Return whether an overlay that can be read makes a study of the user's surfaces."""
+    """Return whether an overlay makes a study of the user's surfaces."""
     overlays = [yaml.safe_load(Path(path).read_bytes()) for path in _options().configfile]
     return any(overlay.get("published") == "none" for overlay in overlays)
 

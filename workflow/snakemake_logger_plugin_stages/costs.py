@@ -33,7 +33,7 @@ def name_in_table(rule: str, stages: dict[str, Stage]) -> str:
 
 
 def stage_of(rule: str, stages: dict[str, Stage]) -> Stage:
-    """Return the stage of a rule; rules from a loop share the stage of their common name.
+    """Return the stage of a rule; rules from a loop share the row of their common name.
 
     A rule that is not in the table has the median cost and its own name.
     """

@@ -16,6 +16,6 @@ def provide_home(folder: Path) -> None:
     except (KeyError, OSError):
         os.environ["USER"] = str(os.getuid())
     if not os.access(os.path.expanduser("~"), os.W_OK):
-        with suppress(OSError):  # The study reports a folder that takes no files either.
+        with suppress(OSError):  # The run itself refuses a folder that takes no files.
             folder.mkdir(parents=True, exist_ok=True)
             os.environ["HOME"] = str(folder.absolute())
