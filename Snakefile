@@ -12,7 +12,7 @@ preparation.prepare_run(workflow)
 configfile: "config/config.yaml"
 
 
-# These two files define the names that all rules use; each begins with a list of them.
+# These two files define the names that rules share; each begins with a list of them.
 include: "workflow/rules/common.smk"
 include: "workflow/rules/surfaces.smk"
 # The path of a height map: scans, contacts on them, forces by cutoff wavelength (masters) and by octave.

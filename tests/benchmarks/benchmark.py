@@ -37,7 +37,7 @@ CONTACT = Contact(radius=250e3, preload=10e-6, hardness=25e9, window=12500.0, co
 TIMED_CONTACTS = [(0, 0), (7, 13), (19, 4)]
 
 
-def surface(pixels):
+def uncd_surface(pixels):
     return random_surface(generator(1, "benchmark", pixels), pixels, 5000 / pixels, uncd_density)
 
 
@@ -64,7 +64,7 @@ def plastic_sums(substrate):
 
 
 def force_sum_rows():
-    substrate = surface(8192)
+    substrate = uncd_surface(8192)
     bodies, count = bodies_in_contact(substrate)
 
     def direct_sums():
@@ -78,8 +78,8 @@ def force_sum_rows():
         abs(totals[contact] / total - 1)
         for contact, total in zip(TIMED_CONTACTS, expected, strict=True)
     )
-    longer = direct_seconds * CONTACT.contacts_per_row**2 / len(TIMED_CONTACTS) / seconds
-    yield "400 plastic contacts on 8192² pixels", seconds, f"direct sum {longer:.3g}, {error:.1e}"
+    slowdown = direct_seconds * CONTACT.contacts_per_row**2 / len(TIMED_CONTACTS) / seconds
+    yield "400 plastic contacts on 8192² pixels", seconds, f"direct sum {slowdown:.3g}, {error:.1e}"
 
 
 def elastic_rows():
@@ -90,17 +90,17 @@ def elastic_rows():
     seconds, pressure = timed(pressure_at_load, *problem, CONTACT.preload)
     library_seconds, expected = timed(library_pressure, *problem, CONTACT.preload)
     error = abs(pressure - expected).max() / expected.max()
-    longer = library_seconds / seconds
-    yield "elastic contact at the preload", seconds, f"library {longer:.3g}, {error:.1e}"
+    slowdown = library_seconds / seconds
+    yield "elastic contact at the preload", seconds, f"library {slowdown:.3g}, {error:.1e}"
     seconds, (_, force) = timed(adhesive_pull_off, *problem, WORK, RHO, repeats=1)
     library_seconds, expected = timed(library_pull_off, *problem, WORK, RHO, repeats=1)
-    error, longer = abs(force / expected - 1), library_seconds / seconds
-    yield "elastic pull-off", seconds, f"library {longer:.3g}, {error:.1e}"
+    error, slowdown = abs(force / expected - 1), library_seconds / seconds
+    yield "elastic pull-off", seconds, f"library {slowdown:.3g}, {error:.1e}"
 
 
 def filtered_job(pixels, results):
     """Put seconds and peak memory (GiB) of a cutoff of Fig. 6 into a queue of another process."""
-    substrate = surface(pixels)
+    substrate = uncd_surface(pixels)
     cutoff = 43.0  # the paper's short edge in nm
     seconds, _ = timed(
         lambda: plastic_sums(interpolate(lowpass(substrate, cutoff), pixels)), repeats=1

@@ -33,7 +33,7 @@ FORCES = ("pull_off_force", "unfiltered_pull_off_force")
 
 def claimed_edges(filtered_forces, ratio, settings):
     """Return the edges in nm by the id of their claim, from ratios (surface, realization, ...)."""
-    sampling = Sampling(settings["seed"], 0, settings["confidence"])
+    sampling = Sampling(settings["seed"], 0, settings["confidence"])  # no samples, only edges
     ratios = filtered_forces.drop_dims("realization").assign(filtered_force_ratio=ratio)
     edges, _ = edges_of_masters(ratios, settings["tolerance"], sampling)
     kinds = {"first": outermost_edge(edges), "mean": band_edge(edges).sel(group=MEAN_GROUP)}

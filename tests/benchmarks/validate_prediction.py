@@ -95,6 +95,7 @@ def grid(row):
     If such a grid exists, the root of the contact area is twelve pixels long, and the surface is at
     least three roll-offs wide and six times as wide as the region where the sphere finds summits.
     """
+    # Here the sphere is a third of the rms height above its apex.
     summit_distance = np.sqrt(2 * row["radius"] * row["rms_height"] / 3)
     wanted_size = max(3 * row["rolloff"], 6 * summit_distance)
     size = min(wanted_size, MAX_SIZE)
@@ -135,13 +136,15 @@ def spectrum_of(row):
 def compute_row(row):
     """Return the mean force (N at 1 J/m²), the standard error of its logarithm, and both edges."""
     spectrum, size, pixels = spectrum_of(row), row["size"], row["pixels"]
+    # Cutoffs from the shortest to nearly the longest waves.
     cutoffs = np.geomspace(1.15 * row["shortest"], size / 2.2, CUTOFF_COUNT)
-    wide = 12 * np.sqrt(row["radius"] * max(row["rho"], row["rms_height"]))
+    # At the ends of this width the sphere is 18 ranges, or 18 rms heights, above its apex.
+    attraction_width = 12 * np.sqrt(row["radius"] * max(row["rho"], row["rms_height"]))
     contact = Contact(
         radius=row["radius"],
         preload=row["area"] * HARDNESS * 1e-18,
         hardness=HARDNESS,
-        window=max(wide, 32 * size / pixels),
+        window=max(attraction_width, 32 * size / pixels),
         contacts_per_row=CONTACTS_PER_ROW,
         rho=row["rho"],
     )

@@ -69,7 +69,7 @@ def mean_force(surface, contact):
     return make_force_function(contact)(surface).mean()
 
 
-def filtered_forces(surface, contact):
+def force_and_ratios(surface, contact):
     """Return the mean force and its ratios without long waves, (1 + cutoff,).
 
     A cutoff above the period removes nothing, which does not show that longer waves do not matter:
@@ -83,17 +83,17 @@ def filtered_forces(surface, contact):
 
 
 def realization_forces(name, spectrum, realization):
-    """Return the mean `filtered_forces` on scans of every size, then those on whole surfaces."""
+    """Return the mean `force_and_ratios` on scans of every size, then those on whole surfaces."""
     surfaces = []
     for size in SURFACE_SIZES:
         rng = generator(SEED, name, realization, f"window edges {size:g} nm")
         pixels = count_window_pixels(size, PIXEL_SIZE)
         surfaces.append(random_surface(rng, pixels, PIXEL_SIZE, spectrum))
     means = [
-        np.mean([filtered_forces(scan, SCAN_CONTACT) for scan in scans], axis=0)
+        np.mean([force_and_ratios(scan, SCAN_CONTACT) for scan in scans], axis=0)
         for scans in (mirrored_scans(surfaces[-1], size) for size in SCAN_SIZES)
     ]
-    return [*means, *(filtered_forces(surface, CONTACT) for surface in surfaces)]
+    return [*means, *(force_and_ratios(surface, CONTACT) for surface in surfaces)]
 
 
 def surface_forces(name):

@@ -2,7 +2,7 @@
 
     python tests/helpers/full_study.py results/paper
 
-hands on what the repository has of the full study: the table with which tests compare the quick
+writes what the repository keeps of the full study: the table with which tests compare the quick
 study and resources/adhesion, and the page and the figure of the README.
 """
 

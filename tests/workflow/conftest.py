@@ -19,10 +19,10 @@ FAST = {"overlays": ["few.yaml"], "run": run_snakemake_with_forks}
 
 def own_repository(folder):
     """Copy the repository into a folder, with a folder of scans; return the copy."""
-    folder = copy_repository(folder / "study")
-    (folder / "scans").mkdir()
-    (folder / "few.yaml").write_text("quick: {band: {masters: 1}}")
-    return folder
+    study = copy_repository(folder / "study")
+    (study / "scans").mkdir()
+    (study / "few.yaml").write_text("quick: {band: {masters: 1}}")
+    return study
 
 
 def write_scans(scans):
@@ -50,26 +50,26 @@ def own_study(tmp_path_factory):
 
 def study_of_all_file_kinds(folder):
     """Make a study of files of all kinds on a rough sphere, whose forces follow RANGE and WORK."""
-    folder = own_repository(folder)
-    write_scans(folder / "scans")
+    study = own_repository(folder)
+    write_scans(study / "scans")
     choices = [
         "--surface", "My film", "scans/rectangle.001", "scans/line.txt",
         "--surface", "twin", "scans/twin.zip", "--tip", "5 nm",
         "--sphere", "scans/ball-0.001", "scans/ball-1.001", "--forces", "my.csv",
     ]  # fmt: skip
-    write_forces(folder, {"my_film": [1.0], "twin": [1.0]})
-    done = run_new(folder, "several", *choices)
+    write_forces(study, {"my_film": [1.0], "twin": [1.0]})
+    done = run_new(study, "several", *choices)
     assert done.returncode == 0, done.stdout
     # Forces are known once the contacts are computed.
-    run = run_quick(folder, "several", "adhesion", **FAST)
+    run = run_quick(study, "several", "adhesion", **FAST)
     assert run.returncode == 0, run.stdout[-3000:]
-    adhesion = xr.load_dataset(folder / "results/several-quick/adhesion.nc")
+    adhesion = xr.load_dataset(study / "results/several-quick/adhesion.nc")
     rng = generator(8, "tests")
     surfaces = adhesion.surface.values
-    write_forces(folder, {surface: forces_on(adhesion, surface, rng) for surface in surfaces})
-    run = run_quick(folder, "several", **FAST)
+    write_forces(study, {surface: forces_on(adhesion, surface, rng) for surface in surfaces})
+    run = run_quick(study, "several", **FAST)
     assert run.returncode == 0, run.stdout[-3000:]
-    return folder
+    return study
 
 
 def write_forces(folder, forces):
@@ -90,9 +90,9 @@ def probe(tmp_path_factory):
 
 def study_of_a_small_probe(folder):
     """Make a study of one scan of 1 µm under a sphere of 5 µm; return its folder."""
-    folder = own_repository(folder)
-    write_spm(folder / "scans/probe.001", uncd_heights(generator(4), 128, 1000.0, 3.0), 1000.0)
+    study = own_repository(folder)
+    write_spm(study / "scans/probe.001", uncd_heights(generator(4), 128, 1000.0, 3.0), 1000.0)
     options = ["--radius", "5um", "--hardness", "5GPa", "--preload", "100nN", "--range", "2nm"]
     options += ["--work", "30 mJ/m2"]
-    make_study(folder, "probe", "scans/probe.001", *options, **FAST)
-    return folder
+    make_study(study, "probe", "scans/probe.001", *options, **FAST)
+    return study

@@ -61,6 +61,7 @@ def calls(text):
     """
     typed = commands(text)
     assert len(typed) > 5
+    # A text without this line begins with the environment active.
     is_active = not any(line.startswith("source .venv/bin/activate") for line in typed)
     for line in typed:
         for command in line.split(" && "):

@@ -55,8 +55,8 @@ def test_a_stage_has_a_line_once_all_of_its_jobs_are_done(capsys, finished):
     assert plan.startswith("3 jobs, about ")
     done = [
         name
-        for name, job_count in (("levelled scans", 2), ("my rule", 3))  # in the order of JOBS
-        if job_count <= finished
+        for name, last_job in (("levelled scans", 2), ("my rule", 3))  # as in JOBS, from 1
+        if last_job <= finished
     ]
     assert [line[:40].strip() for line in lines] == done
     if finished == 3:

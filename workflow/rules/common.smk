@@ -1,6 +1,6 @@
 # The configuration, and the paths of final files.
 #
-# Names that the rules of all files use:
+# Names that the rules of several files use:
 #   config         the configuration as written, with units: for records and captions
 #   STUDY          the configuration: nested dictionaries, with quantities in nm, N, Pa and J/m²
 #   RESULTS        the paths of the final files of the study
