@@ -39,18 +39,19 @@ def round_to_three_digits(value: float, rounding: Callable[[float], int]) -> flo
 def format_value_and_ends(value: float, low: float, high: float, *limits: float) -> list[str]:
     """Return a number and both ends of its interval, rounded as the interval permits.
 
-    Numbers that differ by more than three times have two digits each, others as many (up to four)
-    as show a fifth of the width. Ends stay on their side of the `limits`.
+    Numbers of one sign that differ by more than three times have two digits each, others as many
+    (up to four) as show a fifth of the width. Ends stay on their side of the `limits`.
     """
     numbers = (value, low, high)
     if not all(map(math.isfinite, numbers)):
         return [_format_digits(number, 2) for number in numbers]
     smallest, _, largest = sorted(map(abs, numbers))
     has_one_sign = low > 0 or high < 0
-    finest = min(high - low, smallest) if has_one_sign else high - low
-    last_digits = [max(finest / 5, largest / 1000) or 1] * 3
     if has_one_sign and largest > 3 * smallest:
         last_digits = [abs(number) / 10 or 1 for number in numbers]
+    else:
+        finest = min(high - low, smallest) if has_one_sign else high - low
+        last_digits = [max(finest / 5, largest / 1000) or 1] * 3
     arguments = zip(numbers, last_digits, ((), limits, limits), strict=True)
     return [_format_to_place(*row) for row in arguments]
 

@@ -50,7 +50,7 @@ class MasterForcesChunk(NamedTuple):
 
 
 def _spans(count: int, step: int) -> list[tuple[int, int]]:
-    """Return the first and the last number of each span of a count."""
+    """Return the first and the last number of each span of `step` numbers, from 1 to `count`."""
     return [(start, min(start + step - 1, count)) for start in range(1, count + 1, step)]
 
 

@@ -36,10 +36,9 @@ def end_run_at_fault() -> Iterator[None]:
 def log_answer(workflow: Any, page: str) -> None:
     """Log the answer at the end of a run that makes its page, and the page to open."""
     if page in {str(path) for job in workflow.dag.finished_jobs for path in job.output}:
-        answer = Path(page).with_name("answer.json")
-        content = json.loads(answer.read_text("utf-8"))
-        grave_notes = [note["text"] for note in content["notes"] if note["grave"]]
-        for line in [*content["headline"], *content["verdicts"], *grave_notes]:
+        answer = json.loads(Path(page).with_name("answer.json").read_text("utf-8"))
+        grave_notes = [note["text"] for note in answer["notes"] if note["grave"]]
+        for line in [*answer["headline"], *answer["verdicts"], *grave_notes]:
             logger.info(line)
         logger.info(f"The answer is made: open {page}")
     _cancel_timers()
