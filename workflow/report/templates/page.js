@@ -1,4 +1,4 @@
-// Tables sort, search and copy; figures close, folds open for links and for the printer. The page works without it.
+// Tables sort, search and copy; figures close, folds open for links and for the printer. The page works without this script.
 "use strict";
 
 const PREFIXES = {p: 1e-12, n: 1e-9, µ: 1e-6, m: 1e-3, M: 1e6, G: 1e9};
@@ -17,21 +17,21 @@ function number(words) {
   return digits ? Number(digits[0].replace("−", "-")) * (PREFIXES[words.match(UNIT)?.[1]] ?? 1) : NaN;
 }
 
-// How rows compare by a column: numbers before what is none, words before empty cells.
+// How rows compare by a column: numbers before cells without one, words before empty cells.
 function comparison(rows, column, direction) {
-  const cells = rows.map(row => row.cells[column]), known = cells.some(cell => "value" in cell.dataset);
-  const numeric = known || cells.every(cell => cell.className === "number" || /^$|^[<>≈×+]? ?[−-]?\d/.test(text(cell)));
+  const cells = rows.map(row => row.cells[column]), haveValues = cells.some(cell => "value" in cell.dataset);
+  const numeric = haveValues || cells.every(cell => cell.className === "number" || /^$|^[<>≈×+]? ?[−-]?\d/.test(text(cell)));
   const keys = new Map(rows.map(row => [row, text(row.cells[column])]));
   if (!numeric) return (a, b) => (keys.get(a) === "") - (keys.get(b) === "")
     || direction * keys.get(a).localeCompare(keys.get(b), "en", {numeric: true});
-  rows.forEach(row => keys.set(row, known ? parseFloat(row.cells[column].dataset.value) : number(keys.get(row))));
+  rows.forEach(row => keys.set(row, haveValues ? parseFloat(row.cells[column].dataset.value) : number(keys.get(row))));
   return (a, b) => Number.isNaN(keys.get(a)) - Number.isNaN(keys.get(b)) || direction * (keys.get(a) - keys.get(b));
 }
 
 // Whether a row adds to the row before it.
 const follows = row => row.cells[0].className === "follows";
 
-// Rows in their groups, which stay together: those that follow, or that have the same first cell one after the other.
+// Groups of rows that stay together: a row and those that follow it, and neighbours with the same first cell.
 function grouped(rows) {
   const groups = [];
   rows.forEach((row, index) => {
@@ -53,9 +53,7 @@ function sort(table, groups, column, heading) {
 }
 
 function button(name, act) {
-  const made = document.createElement("button");
-  Object.assign(made, {type: "button", textContent: name, onclick: act});
-  return made;
+  return Object.assign(document.createElement("button"), {type: "button", textContent: name, onclick: act});
 }
 
 document.querySelectorAll(".table table").forEach(table => {
@@ -94,7 +92,7 @@ function reveal() {
 addEventListener("hashchange", reveal);
 reveal();
 
-// A page that was mailed alone lacks the figures beside it, too: then it has no links to other pages and files.
+// A page that was mailed alone has no figures beside it. It then loses its links to other pages and files.
 function unlink() {
   document.querySelector(".menu.pages")?.remove();
   document.querySelector("footer").append(" · Other pages and files are in the folder of the study.");

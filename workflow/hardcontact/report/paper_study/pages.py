@@ -86,10 +86,8 @@ def report_pages(
     for name, text in chapters.items():
         chapter = convert_chapter(text, frame.pages)
         pages[name] = render_document("chapter.html", frame, name, chapter=chapter)
-    parameters = yaml.safe_dump(configuration, allow_unicode=True)
-    pages["parameters"] = render_document(
-        "parameters.html", frame, "parameters", parameters=parameters, versions=versions
-    )
+    facts = {"parameters": yaml.safe_dump(configuration, allow_unicode=True), "versions": versions}
+    pages["parameters"] = render_document("parameters.html", frame, "parameters", **facts)
     return pages
 
 
