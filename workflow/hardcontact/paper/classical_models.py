@@ -35,7 +35,7 @@ Tension = Callable[[Floats], Values]
 
 
 class ElasticSphere(NamedTuple):
-    """A smooth sphere and its materials, the same for all models."""
+    """A smooth sphere and its materials."""
 
     radius: float  #: In nm.
     modulus: float  #: Effective modulus E* in Pa.
@@ -135,12 +135,12 @@ def _jkr_tension(compression: Floats) -> Values:
 
 
 def _dmt_tension(compression: Floats) -> Values:
-    """Return the tension relative to 2πβW, zero at the compression 1, in (2πβW/Kβ^½)^⅔."""
+    """Return the tension relative to 2πβW; the compression is in (2πβW/Kβ^½)^⅔."""
     return 1 - compression**1.5
 
 
 def _log_largest_tension(tension: Tension, spread: float) -> float:
-    """Return ln(largest mean tension over all separations); `_force_spline` has the spread."""
+    """Return ln(largest mean tension over all separations), at a spread of `_force_spline`."""
     lowest, highest = -3 / spread - 12, 10 + 6 * spread
     # From this separation on the asperities pull more than they push. The limits contain it for all
     # adhesion indices of the table.

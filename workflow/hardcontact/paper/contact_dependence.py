@@ -1,8 +1,7 @@
 """How forces and edges of the band depend on the contact: exponents.nc and edge_shifts.nc.
 
 Edges are fitted as powers of two square roots: of the radius of the sphere, because the interaction
-radius √(Dρ) grows like this root, and of the area in contact, because its root is a length. If the
-exponent is 1, edges are proportional to the root.
+radius √(Dρ) grows like this root, and of the area in contact, because its root is a length.
 """
 
 import numpy as np
@@ -31,13 +30,13 @@ def fit_exponents(
 
 
 def force_exponent(forces: xr.Dataset, contact_area: float, confidence: float) -> xr.Dataset:
-    """Return the exponent of the mean force on unfiltered long-edge masters against the radius.
+    """Return the exponent of the force on unfiltered long-edge masters against the radius.
 
-    Of the forces (..., radius, contact_area) those at the area nearest to `contact_area` (nm²)
-    count. The interval is over masters.
+    It is the mean (surface,) over masters, with its interval. Of the areas in contact, the nearest
+    to `contact_area` (nm²) counts.
     """
-    long_wave_forces = forces["unfiltered_pull_off_force"].sel(side="long")
-    means = long_wave_forces.sel(contact_area=contact_area, method="nearest").mean(CONTACT_AXES)
+    long_edge_forces = forces["unfiltered_pull_off_force"].sel(side="long")
+    means = long_edge_forces.sel(contact_area=contact_area, method="nearest").mean(CONTACT_AXES)
     log_means = xr.DataArray(np.log(means)).assign_coords(radius=np.log(means["radius"]))
     slopes = log_means.polyfit("radius", 1)["polyfit_coefficients"].sel(degree=1, drop=True)
     interval = student_interval(slopes, confidence, "realization").transpose("surface", "end")
@@ -51,7 +50,7 @@ def force_exponent(forces: xr.Dataset, contact_area: float, confidence: float) -
 def edge_exponents(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
     """Return the exponents of the edges against the roots of SCALED_QUANTITIES.
 
-    They are (surface, side, exponent_of), with intervals of the jackknife over realizations.
+    They are (surface, side, exponent_of), with jackknife intervals, NaN for fewer than three realizations.
     """
     exponents = _fit_all_edges(forces, tolerance)
     count = forces.sizes["realization"]
@@ -104,7 +103,7 @@ def _fit_edges(log_edge: Floats, log_radius_root: Floats, log_area_root: Floats)
 
 
 def compute_edge_shifts(forces: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
-    """Return edge_shifts.nc, from forces of `read_master_forces` at a single radius and load.
+    """Return edge_shifts.nc, from forces of `read_master_forces` at a single radius.
 
     Edges are (contact_model, rho, side, group). ``edge_shift`` (cause, side, group) is the edge of
     plastic contact at the longest range, relative to rigid contact (``"plasticity"``) or to the

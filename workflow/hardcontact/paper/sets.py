@@ -46,7 +46,7 @@ class SetInputs(NamedTuple):
     pools: Mapping[str, xr.Dataset]  #: From `compute_pool`, by substrate.
     candidates: Mapping[str, Mapping[str, xr.Dataset]]  #: From `candidates_by_surface`.
     sphere_factor: xr.DataArray  #: (contact_model, surface, rho), from the function of this name.
-    master_forces: xr.Dataset  #: From `read_master_forces` at one load.
+    master_forces: xr.Dataset  #: From `read_master_forces` at one loading.
 
 
 class SetSettings(NamedTuple):

@@ -67,11 +67,11 @@ def contact_term(contact: Contact) -> float:
 
 def wide_contact_message(contact: Contact) -> str:
     """Return a message if the contact area alone attracts as strongly as a smooth sphere, or ""."""
-    share = contact_term(contact)
-    if share < 1:
+    term = contact_term(contact)
+    if term < 1:
         return ""
     return (
-        f"preload: expected less than {format_quantity(contact.preload / share, 'N')} at this "
+        f"preload: expected less than {format_quantity(contact.preload / term, 'N')} at this "
         f"hardness, radius and range, found {format_quantity(contact.preload, 'N')}: the contact "
         "alone would stick like a smooth sphere"
     )
@@ -122,7 +122,7 @@ def _mean_terms(
 ) -> tuple[float, float]:
     """Return the surface term and the summit term, averaged over levels of the apex."""
     relative_rms = np.sqrt(spectral_moment(spectrum, 0)) / contact.rho
-    summit_ratio = 1.0
+    summit_ratio = 1.0  # Beta in theory.md: force on a rough summit relative to a smooth one.
     summit = _roughness_on_summit(spectrum, apex, contact)
     if summit is not None and generations:
         summit_spectrum, summit_contact = summit

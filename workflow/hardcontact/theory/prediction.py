@@ -160,7 +160,7 @@ def _reliable_force(scans: ScanSpectrum, contact: Contact, tolerance: float, nam
     reliable_waves = reliable_spectrum(scans.joined_dataset, scans.skewness)
     numbers = prediction(reliable_waves, contact, tolerance, name)
     force = numbers["closed_form_force"]
-    # If the waves are extrapolated, only the error of the extrapolated force may be known.
+    # The error of extrapolated waves is that of the extrapolated force.
     status = numbers.get("extrapolated_force", force).status
     return Number("reliable_force", force.value, "N", status=status)
 

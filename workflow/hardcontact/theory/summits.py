@@ -43,7 +43,7 @@ class ApexDistribution(NamedTuple):
     """Distribution of the level t of the sphere's apex at closest approach."""
 
     levels: Floats  #: Levels t (n,).
-    weights: Floats  #: Probabilities (n,), which add up to one.
+    weights: Floats  #: Their probabilities (n,).
     half_width: float  #: Half-width in nm of summits at the mean level.
 
     def mean(self, values: ArrayLike | None = None) -> float:
