@@ -47,14 +47,14 @@ def relative_pull_off(model, index):
 
 @pytest.mark.parametrize("index", [0.02, 0.5, 3.0])
 def test_dmt_asperities_match_brute_force(index):
-    def tension(separation):
-        def force(z):  # of an asperity of height z, relative to 2πβW, weighted
-            density = exp(-(z**2) / 2) / sqrt(2 * pi)
-            return (1 - 2 * index * (z - separation) ** 1.5 / (3 * pi)) * density
+    def mean_tension(separation):
+        def weighted_tension(height):  # relative to 2πβW
+            density = exp(-(height**2) / 2) / sqrt(2 * pi)
+            return (1 - 2 * index * (height - separation) ** 1.5 / (3 * pi)) * density
 
-        return quad(force, separation, 12, limit=200)[0]
+        return quad(weighted_tension, separation, 12, limit=200)[0]
 
-    greatest = max(tension(separation) for separation in np.linspace(-4.5, 4, 171))
+    greatest = max(mean_tension(separation) for separation in np.linspace(-4.5, 4, 171))
     assert relative_pull_off("maugis", index) == pytest.approx(greatest, rel=2e-3)
 
 

@@ -26,7 +26,8 @@ from hardcontact.surfaces.metrics import metrics
 FEATURED = FeaturedSurface(replace(SUBSTITUTE, grid=GRID._replace(size=2500.0), seed=3), POLISHED)
 RANGE, WORK = 5.6, 0.05  # the published pair: nm, J/m²
 RANGES = [1.0, RANGE]
-INPUTS = FEATURED, 2, CONTACT, RANGES
+SCAN_COUNT = 2
+INPUTS = FEATURED, SCAN_COUNT, CONTACT, RANGES
 SPHERE_FACTOR = 0.5  # force on the rough sphere relative to a smooth one
 SPHERE_FACTORS = xr.DataArray(
     np.full((1, 2, 2), SPHERE_FACTOR),
@@ -66,8 +67,8 @@ def test_each_set_has_a_candidate_of_its_own_with_bumps_and_pits_in_turn(candida
 @pytest.fixture(scope="module")
 def pit_forces(candidates):
     """Return the plastic forces on a candidate with pits at the published pair."""
-    labels = {"contact_model": "plastic", "candidate": 1, "rho": RANGE}
-    return SPHERE_FACTOR * WORK * candidates["pits"]["pull_off_force"].sel(labels)
+    selection = {"contact_model": "plastic", "candidate": 1, "rho": RANGE}
+    return SPHERE_FACTOR * WORK * candidates["pits"]["pull_off_force"].sel(selection)
 
 
 def compare_pits(candidates, pit_forces, published_mean_ratio=1.5):

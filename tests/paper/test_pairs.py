@@ -20,7 +20,7 @@ def test_pairs_include_the_published_pair_and_their_shares_add_up_to_one():
 def test_inferred_pairs_are_rounded_results_of_the_full_study():
     inferred_pairs = PAIRS.drop("published")
     full_study = read_full_study()["value"]
-    for column in inferred_pairs.columns[:3]:
+    for column in ["range_of_adhesion_nm", "work_of_adhesion_J_m2", "share_of_sets"]:
         quantity = re.sub("_nm$|_J_m2$", "", column)
         for pair, value in inferred_pairs[column].items():
             assert float(f"{full_study[f'{pair}.{quantity}']:.2g}") == value

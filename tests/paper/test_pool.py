@@ -56,11 +56,11 @@ def test_a_set_has_the_forces_and_roughness_of_its_scans_at_the_sampled_heights(
     for _, sampled_scan in sampled_set.groupby("scan"):
         scan = raw_scan(sampled_scan["number"].item())
         height = sampled_scan["rms_height"].item()
-        scaled = replace(scan, heights=scan.heights * height / scan.heights.std())
-        values = metrics(scaled)
+        scaled_scan = replace(scan, heights=scan.heights * height / scan.heights.std())
+        scaled_metrics = metrics(scaled_scan)
         for name in TABLE1_METRICS.values():
-            assert sampled_scan[name].item() == pytest.approx(values[name], rel=1e-9)
-        bodies = join_bodies(mirror_scan(scaled), None, CONTACT)
+            assert sampled_scan[name].item() == pytest.approx(scaled_metrics[name], rel=1e-9)
+        bodies = join_bodies(mirror_scan(scaled_scan), None, CONTACT)
         computed = pull_off_dataset(bodies, CONTACT, RANGES)["pull_off_force"].values
         forces = sampled_scan["pull_off_force"].squeeze("scan")
         np.testing.assert_allclose(forces, computed, rtol=0.15)
@@ -69,7 +69,7 @@ def test_a_set_has_the_forces_and_roughness_of_its_scans_at_the_sampled_heights(
         np.testing.assert_allclose(means, computed.mean(axis=(2, 3)), rtol=0.03)
 
 
-def test_sets_that_would_need_a_flatter_scan_are_sampled_again_or_refused():
+def test_sets_that_would_need_a_smoother_scan_are_sampled_again_or_refused():
     wide = pool_of(*POOL).assign_attrs(rms_height_deviation=6.5)
     lowest = wide["rms_height_of_force"].min().item()
     heights = np.array([scans_of_set(wide, generator(3, n), 3)["rms_height"] for n in range(20)])

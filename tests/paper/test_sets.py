@@ -67,7 +67,7 @@ def make_pool(surface):
 
 
 def make_topography(measured_surfaces=()):
-    """Return the roughness of SCANS scans of each surface."""
+    """Return the roughness of SCANS scans of each surface, 0.5 nm on the ruby."""
     rng = np.random.default_rng(10)
     surface_metrics = [
         xr.Dataset(scan_metrics(rng, HEIGHTS.get(name, 0.5) * np.linspace(0.9, 1.1, SCANS)))
