@@ -50,7 +50,8 @@ def force_exponent(forces: xr.Dataset, contact_area: float, confidence: float) -
 def edge_exponents(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
     """Return the exponents of the edges against the roots of SCALED_QUANTITIES.
 
-    They are (surface, side, exponent_of), with jackknife intervals, NaN for fewer than three realizations.
+    They are (surface, side, exponent_of), with jackknife intervals: NaN for fewer than three
+    realizations.
     """
     exponents = _fit_all_edges(forces, tolerance)
     count = forces.sizes["realization"]
