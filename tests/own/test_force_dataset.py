@@ -205,7 +205,7 @@ def test_intervals_include_the_effect_of_finer_pixels():
         | {name: ("surface", [1.0, 1.0]) for name in names},
         {"surface": ["a", "b"]},
     )
-    widened = widen_intervals(scan_forces, hindcast, 5.0)
+    widened = widen_intervals(scan_forces, hindcast)
     change = (widened.force_interval / scan_forces.force_interval).transpose("surface", "end", ...)
     np.testing.assert_allclose(change.isel(surface=0, end=0), 1 / 1.5)
     np.testing.assert_allclose(change.isel(surface=0, end=1), 1)

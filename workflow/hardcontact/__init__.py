@@ -18,7 +18,7 @@ API = (
 
 
 def __getattr__(name: str) -> Any:
-    """Return a public name of the library, one of `API`, or its version."""
+    """Return the function or class that `API` names, or the version of the library."""
     if name == "__version__":
         return importlib.import_module("importlib.metadata").version("hardcontact")
     if name not in API:

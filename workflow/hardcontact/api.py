@@ -68,7 +68,7 @@ def read_scan(
     levelling: str = "plane",
     sphere_radius: float | None = None,
 ) -> HeightMap:
-    """Read a height map as the study prepares it: its central square, levelled.
+    """Read a height map as the study prepares it: cropped to a square and levelled.
 
     Parameters
     ----------
@@ -88,7 +88,7 @@ def read_scan(
     mask : str
         Whether to ``"keep"`` or to ``"exclude"`` the heights under a mask in a file of Gwyddion.
     levelling : str
-        ``"plane"`` subtracts a plane. ``"lines"`` fills streaks and aligns lines before.
+        ``"plane"`` subtracts a plane. ``"lines"`` first fills streaks and aligns lines.
         ``"quadratic"`` subtracts the bow of a scanner, too.
     sphere_radius : float or None
         Radius in nm of the sphere that the scan shows. The sphere is subtracted. None stands for a
@@ -157,9 +157,9 @@ def from_topography(
 
 
 def _level(scan: HeightMap, sphere_radius: float | None, levelling: str) -> HeightMap:
-    """Return a levelled height map in float32, like the study's files."""
-    flat = remove_form(scan, sphere_radius, levelling)
-    return replace(flat, heights=flat.heights.astype(np.float32))
+    """Return a levelled height map without its sphere, in float32 like the study's files."""
+    levelled = remove_form(scan, sphere_radius, levelling)
+    return replace(levelled, heights=levelled.heights.astype(np.float32))
 
 
 def read_spectrum(
@@ -210,8 +210,9 @@ def read_spectrum(
     )
     options = reading.ReadingOptions(tip_radius, unit, map_size, levelling, mask, undefined_pixels)
     with arguments_in_messages():
-        surface = read_own_spectrum(files, options, dataset=dataset, sphere_radius=sphere_radius)
-    spectrum = surface.spectrum
+        spectrum = read_own_spectrum(
+            files, options, dataset=dataset, sphere_radius=sphere_radius
+        ).spectrum
     if extrapolated and isinstance(spectrum, ScanSpectrum):
         return spectrum.extrapolated()
     return spectrum
@@ -261,7 +262,7 @@ def pull_off_forces(
           plastic contact.
         - ``apex_height`` (contact_model, contact_y, contact_x) in nm: the height of the sphere's
           apex above the mean plane at closest approach.
-        - ``contact_pixel_count`` (contact_model): the number of pixels in contact.
+        - ``contact_pixel_count`` (contact_model): the number of pixels in each contact.
         - ``touched_patches``: the number of patches, groups of neighbouring pixels of the scan, in
           which the deepest pixels of the contacts lie. A periodic scan has none, because patches
           are those of a scan that is mirrored.
@@ -318,7 +319,7 @@ def force_ratios(
     contacts_per_row: int = PAPER_CONTACT.contacts_per_row,
     sphere: HeightMap | None = None,
 ) -> xr.Dataset:
-    """Return forces on a scan without the roughness beyond cutoffs, and the edges of the band.
+    """Return relative forces on a scan without roughness beyond cutoffs, and edges of the band.
 
     An edge is the cutoff at which the force has changed by the tolerance. The edges are those of
     the scan alone, whereas a study adds extrapolated roughness.
@@ -406,18 +407,18 @@ def predict(
         The numbers of ``hardcontact predict --json`` by name. Each has a ``value``, a ``unit``, the
         ends ``low`` and ``high`` of its interval, and a ``status``. Forces are in N, lengths in nm.
 
-        - Force: ``closed_form_force``, and ``force_over_smooth`` relative to ``smooth_force``, the
-          force on a smooth surface. The status ``"outside"`` means that the error is not known.
-          The status ``"steep_sidewalls"`` means that there is no value, because heights are not
-          Gaussian.
+        - Force: ``closed_form_force``; ``force_over_smooth``, the same force relative to
+          ``smooth_force``, the force on a smooth surface. The status ``"outside"`` means that the
+          error is not known, and ``"steep_sidewalls"`` that there is no value, because heights are
+          not Gaussian.
         - Band: ``short_edge`` and ``long_edge``, where the force has changed by ``tolerance``. The
           status ``"outside"`` means that the error is not known, and ``"none"`` that no cutoff
           changes the force so much.
         - Extrapolated spectrum: ``extrapolated_change`` is the relative change of the force by
           waves beyond the spectrum. If its status is ``"matters"``, use ``extrapolated_force``,
           ``extrapolated_short_edge`` and ``extrapolated_long_edge``. ``extrapolated_to`` is the
-          shortest wavelength of this spectrum, ``extrapolated_rolloff`` its roll-off, and
-          ``extrapolated_hurst`` the Hurst exponent of the short waves.
+          shortest wavelength of the extrapolated spectrum, ``extrapolated_rolloff`` its roll-off,
+          and ``extrapolated_hurst`` the Hurst exponent of the added short waves.
         - Contact: ``apex_height`` is the height of the sphere's apex above the mean plane.
           ``weibull_modulus`` is above 1 if many points carry the force, below 1 if few summits do.
         - Spectrum: ``rms_height``, ``rms_gradient``, ``shortest_wavelength`` and
@@ -434,7 +435,7 @@ def predict(
 
         - ``force_on_scan``, the mean force over contacts, summed over the pixels, and
           ``force_on_scan_over_smooth``. The force has no value if the map is too large, or if `rho`
-          is below ``shortest_range``. Then the numbers below are missing.
+          is below ``shortest_range``. Then the other numbers of this list are missing.
         - ``log_force_std``, the standard deviation of ln F over contacts.
         - ``closed_form_on_scan``, the force in closed form for all waves of the map. Unless its
           status is ``"agrees"``, no number of the closed form has an interval.

@@ -33,7 +33,7 @@ with run_job(snakemake) as job:
     )
     # The force on scans and the extrapolated one are compared before their intervals are widened.
     force = add_extrapolated_force(scan_forces, extrapolated_forces, tolerance)
-    force = widen_intervals(force, hindcast, contact.rho)
+    force = widen_intervals(force, hindcast)
     force = bound_by_smooth_sphere(force, contact.area)
     force = add_closed_form(force, read_dataset(job.input.spectra), contact)
     force = add_sizes(force, topography, contact)

@@ -1,8 +1,8 @@
 """The pull-off forces on the user's surfaces at one work and all ranges of adhesion: force.nc.
 
 Forces on scans come from the roughness of the scans alone. The extrapolated force also has the
-roughness that the microscope does not show. The dimension `rho` has all ranges of adhesion (nm),
-the attribute `rho` that of the study.
+roughness that the microscope does not show, but only at one range, in plastic contact. The
+dimension `rho` has all ranges of adhesion (nm), the attribute `rho` that of the study.
 """
 
 from collections.abc import Mapping, Sequence
@@ -40,7 +40,7 @@ from hardcontact.surfaces.spectrum import spectrum_of_dataset
 from hardcontact.theory.closed_form import closed_form
 from hardcontact.theory.summits import search_size
 
-#: Quantiles of the forces of single contacts: the middle half and the middle 90 %.
+#: Quantiles of the forces of single contacts: the median, and the ends of the middle half and 90 %.
 FORCE_QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
 
 
@@ -49,10 +49,9 @@ def forces_on_scans(
 ) -> xr.Dataset:
     """Return the mean force (surface, contact_model, rho) in N over contacts and scans.
 
-    ``force_quantile`` is that of single contacts. `adhesion` is at 1 J/m², scan sizes are in nm.
+    ``force_quantile`` is over single contacts. `adhesion` is at 1 J/m², scan sizes are in nm.
     """
-    work, rho = contact.work, contact.rho
-    adhesion_at_work = adhesion.assign(pull_off_force=adhesion.pull_off_force * work)
+    adhesion_at_work = adhesion.assign(pull_off_force=adhesion.pull_off_force * contact.work)
     forces_by_model = [
         forces_by_surface(adhesion_at_work.sel(contact_model=model), scan_sizes)
         for model in adhesion.contact_model.values
@@ -61,15 +60,15 @@ def forces_on_scans(
         (surface,): _force_variables(
             adhesion_at_work.sel(surface=surface),
             [model_forces[surface] for model_forces in forces_by_model],
-            rho,
+            contact.rho,
             confidence,
         )
         for surface in adhesion.surface.values.tolist()
     }
     force = stack(surfaces, ["surface"])
     return force.assign(label=adhesion.label, source=adhesion.source).assign_attrs(
-        work_of_adhesion=work,
-        rho=rho,
+        work_of_adhesion=contact.work,
+        rho=contact.rho,
         confidence=confidence,
         sphere_radius=adhesion.attrs["sphere_radius"],
     )
@@ -78,7 +77,7 @@ def forces_on_scans(
 def _force_variables(
     forces: xr.Dataset, forces_by_model: Sequence[SurfaceForces], rho: float, confidence: float
 ) -> xr.Dataset:
-    """Return the variables of one surface, whose `forces` are at the configured work."""
+    """Return the variables of force.nc for one surface, from forces at the work of the study."""
     mean = np.array([model_forces.mean for model_forces in forces_by_model])
     intervals = [mean_intervals(model_forces, confidence) for model_forces in forces_by_model]
     dimensions = ("contact_model", "rho")
@@ -87,9 +86,10 @@ def _force_variables(
     )
     log_force_std = np.array([model_forces.log_force_std for model_forces in forces_by_model])
     scan_parts = forces_by_model[0].scan_parts[np.abs(forces.rho.values - rho).argmin()]
-    contact_count = np.prod([forces.sizes[axis] for axis in CONTACT_AXES])
     variables = as_variables("force", dimensions, mean, np.array(intervals), NEWTON, confidence)
-    half_widths = [position_half_width(model, confidence) for model in forces_by_model]
+    half_widths = [
+        position_half_width(model_forces, confidence) for model_forces in forces_by_model
+    ]
     if half_widths[0] is not None:  # The sphere is rough, and its position is not known.
         factor = np.exp(np.array(half_widths))
         variables["position_factor"] = (dimensions, factor, DIMENSIONLESS)
@@ -100,7 +100,7 @@ def _force_variables(
             "log_force_std": (dimensions, log_force_std, DIMENSIONLESS),
             "interval_source": scan_parts.interval_source,
             "interval_scans": scan_parts.scan_count,
-            "contacts": ((), contact_count, DIMENSIONLESS),
+            "contacts": ((), np.prod([forces.sizes[axis] for axis in CONTACT_AXES]), DIMENSIONLESS),
             "touched_patches": ((), scan_parts.touched_patches, DIMENSIONLESS),
             "correlation_of_parts": ((), scan_parts.mean_correlation, DIMENSIONLESS),
         },
@@ -126,12 +126,11 @@ def find_extrapolated_forces(
             confidence,
         )
         interval = logarithmic_interval(force, half_width)
-        spectrum_end = float(master_forces.forces.spectrum_end)
         return xr.Dataset(
             as_variables("extrapolated_force", (), force, interval, NEWTON, confidence)
             | {
                 "extrapolated_force_interval_source": master_forces.scan_parts.interval_source,
-                "extrapolation_end": ((), spectrum_end, NM),
+                "extrapolation_end": ((), float(master_forces.forces.spectrum_end), NM),
             }
         )
 
@@ -143,7 +142,8 @@ def add_extrapolated_force(
 ) -> xr.Dataset:
     """Return forces on scans, extrapolated forces, and whether they differ.
 
-    They differ if the change exceeds the tolerance and the interval of the force on the scans.
+    They differ if the extrapolated force is outside the interval of the force on the scans, and the
+    relative change exceeds the tolerance.
     """
     scan_force = _plastic_at_range(force, force.attrs["rho"])
     extrapolated = extrapolated_forces.extrapolated_force
@@ -162,10 +162,14 @@ def _plastic_at_range(data: Any, rho: float) -> Any:
     return data.sel(contact_model=PLASTIC, drop=True).sel(rho=rho, method="nearest", drop=True)
 
 
-def widen_intervals(force: xr.Dataset, hindcast: xr.Dataset | None, rho: float) -> xr.Dataset:
-    """Return forces with intervals for sphere position, artificial roughness and wide pixels."""
+def widen_intervals(force: xr.Dataset, hindcast: xr.Dataset | None) -> xr.Dataset:
+    """Return forces with wider intervals, for sphere position, hindcast and wide pixels.
+
+    Position and hindcast widen the interval of the extrapolated force, wide pixels the interval of
+    the force on scans, which already includes the position.
+    """
     if "position_factor" in force:
-        factor = _plastic_at_range(force, rho)["position_factor"]
+        factor = _plastic_at_range(force, force.attrs["rho"])["position_factor"]
         force = widen_interval(force, "extrapolated_force", factor)
     if hindcast is not None:
         names = ["hindcast_ratio", "hindcast_ratio_interval", "hindcast_fails", "wide_pixel_ratio"]
@@ -199,12 +203,12 @@ def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
 
 
 def add_closed_form(force: xr.Dataset, spectra: xr.Dataset, contact: Contact) -> xr.Dataset:
-    """Return forces with the search size (nm) and the Weibull modulus (surface) in closed form."""
-    surface_spectra = [
+    """Return forces with search size (nm), Weibull modulus (surface) and Tabor parameter."""
+    own_spectra = [
         spectrum_of_dataset(spectra.sel(surface=name)) for name in force["surface"].values
     ]
-    search_sizes = [search_size(psd, contact.radius, contact.area) for psd in surface_spectra]
-    moduli = [closed_form(psd, contact).weibull_modulus for psd in surface_spectra]
+    search_sizes = [search_size(spectrum, contact.radius, contact.area) for spectrum in own_spectra]
+    moduli = [closed_form(spectrum, contact).weibull_modulus for spectrum in own_spectra]
     tabor = judge_tabor_parameter(contact, assumed_modulus(contact.hardness))
     return force.assign(
         search_size=("surface", search_sizes, NM),
@@ -213,7 +217,7 @@ def add_closed_form(force: xr.Dataset, spectra: xr.Dataset, contact: Contact) ->
 
 
 def add_sizes(force: xr.Dataset, topography: xr.Dataset, contact: Contact) -> xr.Dataset:
-    """Add to the forces, which need `search_size`, how the widths of scan and window limit them."""
+    """Return forces, which need `search_size`, with the effects of scan width and window."""
     scans = topography[["scan_size", "pixel_size"]].sel(surface=force["surface"])
     ratios = [
         finite_scan_ratio(*sizes)
@@ -227,7 +231,7 @@ def add_sizes(force: xr.Dataset, topography: xr.Dataset, contact: Contact) -> xr
 
 
 def contacts_needed(forces: xr.DataArray, tolerance: float, confidence: float) -> xr.DataArray:
-    """Return how many contacts give a mean force within the relative tolerance."""
+    """Return the number of contacts whose mean force is within the tolerance, with a confidence."""
     relative_std = forces.std(SINGLE_CONTACT_AXES) / forces.mean(SINGLE_CONTACT_AXES)
     quantile = float(special.ndtri((1 + confidence) / 2))
     count = (quantile / tolerance * relative_std) ** 2

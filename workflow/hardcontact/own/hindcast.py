@@ -1,7 +1,8 @@
 """Hindcasts test whether forces on a scan may be extrapolated to roughness that it does not show.
 
-A hindcast replaces the outermost octave that a scan shows by artificial roughness. If the force
-changes, a random surface cannot extrapolate this scan. On a Gaussian surface it changes little.
+A hindcast replaces the outermost octave that a scan shows by artificial roughness: random waves
+with the spectrum of the surface. If the force changes, random waves cannot extrapolate the scan. On
+a Gaussian surface the force changes little.
 """
 
 from collections.abc import Mapping, Sequence
@@ -34,30 +35,30 @@ ARTIFICIAL_OCTAVE_COUNT = 12
 
 
 class RandomBody(NamedTuple):
-    """Random roughness that replaces the scan of a body, substrate or sphere."""
+    """What the artificial octaves of a body, substrate or sphere, are made from."""
 
     spectrum: SpectrumFunction  #: C_iso in nm⁴.
     size: float  #: Width of the scan in nm.
     seed: int  #: Seed of the study.
-    random_stream: Sequence[str | int]  #: Surface and number of the scan.
+    random_stream: Sequence[str | int]  #: Name of the surface and number of the scan.
 
 
 def outermost_octaves(
     measurements: xr.Dataset, transitions: Mapping[str, float]
 ) -> dict[str, Octave | None]:
-    """Return by side the octave just inside the transition, None if the scans do not show it whole.
+    """Return by side the outermost octave of the reliable wavelengths that masters take from scans.
 
-    Beyond the transition (nm) of a side, masters have artificial roughness. If scans are reliable
-    only further inside, the octave lies at the end of their reliable wavelengths.
+    Masters have artificial roughness beyond the transition (nm) of a side. Its octave is None if
+    the reliable wavelengths on the other side of the transition do not contain a whole one.
     """
-    reliable = measurements.where(measurements["reliable"].any("bin_wavevector"))
-    shortest = float(reliable["shortest_reliable"].min())
-    longest = float(reliable["longest_reliable"].max())
+    used_measurements = measurements.where(measurements["reliable"].any("bin_wavevector"))
+    shortest = float(used_measurements["shortest_reliable"].min())
+    longest = float(used_measurements["longest_reliable"].max())
     octaves: dict[str, Octave | None] = {}
     for side, transition in transitions.items():
-        start = max(transition, shortest) if side == "short" else min(transition, longest) / 2
-        is_shown = shortest <= start and 2 * start <= longest
-        octaves[side] = (start, 2 * start) if is_shown else None
+        low = max(transition, shortest) if side == "short" else min(transition, longest) / 2
+        is_reliable = shortest <= low and 2 * low <= longest
+        octaves[side] = (low, 2 * low) if is_reliable else None
     return octaves
 
 
@@ -68,10 +69,11 @@ def hindcast_forces(
     compute_forces: ForcesOnSurface,
     contacts_per_row: int,
 ) -> xr.Dataset:
-    """Return forces in N on a mirrored scan without the waves beyond an octave, for each side.
+    """Return forces by side, in N at 1 J/m², on a mirrored scan without waves beyond an octave.
 
     ``scan_octave_force`` (side, contact_y, contact_x) is with the octave of the scan,
-    ``artificial_octave_force`` (side, realization, ...) with random octaves of all bodies instead.
+    ``artificial_octave_force`` (side, realization, ...) with artificial octaves of all bodies
+    instead. Both are NaN for a side without an octave.
     """
     side_forces = {}
     for side, octave in octaves.items():
@@ -88,10 +90,9 @@ def hindcast_forces(
             all_octaves = scan_octave, *artificial_octaves
             surfaces = (replace(mirrored, heights=kept_heights + waves) for waves in all_octaves)
             forces = np.array([compute_forces(surface) for surface in surfaces])
-        axes = ("realization", *CONTACT_AXES)
         variables = {
             "scan_octave_force": (CONTACT_AXES, forces[0], FORCE_ATTRS),
-            "artificial_octave_force": (axes, forces[1:], FORCE_ATTRS),
+            "artificial_octave_force": (("realization", *CONTACT_AXES), forces[1:], FORCE_ATTRS),
         }
         side_forces[(side,)] = xr.Dataset(variables)
     return stack(side_forces, ["side"])
@@ -100,7 +101,7 @@ def hindcast_forces(
 def _split_at_octave(
     mirrored: HeightMap, side: str, octave: Octave
 ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """Return the remaining heights, without the octave and the waves beyond it, and the octave."""
+    """Return the heights without an octave and the waves beyond it, and those of the octave."""
     series = filtered_series(mirrored, "short", list(octave), mirrored.pixels)
     octave_and_longer, longer = (waves.heights for waves in series)
     kept_heights = longer if side == "short" else mirrored.heights - octave_and_longer
@@ -110,7 +111,7 @@ def _split_at_octave(
 def _artificial_octave(
     mirrored: HeightMap, octave: Octave, body: RandomBody, seed_word: str, index: int
 ) -> NDArray[np.float32]:
-    """Return random heights of one octave, as wide as the scan of a body, and mirrored."""
+    """Return the heights of a random, mirrored scan of a body, with waves of one octave only."""
     highest_q, lowest_q = 2 * np.pi / np.array(octave)
 
     def octave_spectrum(wavevector: Floats) -> Floats:
@@ -121,20 +122,20 @@ def _artificial_octave(
     rng = generator(body.seed, *body.random_stream, "hindcast", seed_word, index)
     scan_pixels = round(body.size / mirrored.pixel_size)
     surface = random_surface(rng, 2 * scan_pixels, mirrored.pixel_size, octave_spectrum)
-    # A quarter of a periodic surface is not periodic, like a scan. Mirror images fill the map with
-    # it, also if it is a smaller scan of the sphere.
-    unfolded = np.arange(mirrored.pixels // 2) % (2 * scan_pixels)
-    folded = np.minimum(unfolded, 2 * scan_pixels - 1 - unfolded)
-    corner = replace(surface, heights=surface.heights[np.ix_(folded, folded)])
-    return np.asarray(mirror_scan(corner).heights)
+    # Like a scan, a quarter of the periodic surface is not periodic. If the scan of a sphere is
+    # smaller than that of the substrate, its mirror images continue it.
+    positions = np.arange(mirrored.pixels // 2) % (2 * scan_pixels)
+    reflected = np.minimum(positions, 2 * scan_pixels - 1 - positions)
+    random_scan = replace(surface, heights=surface.heights[np.ix_(reflected, reflected)])
+    return np.asarray(mirror_scan(random_scan).heights)
 
 
 def hindcast_ratios(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
     """Return ``hindcast_ratio`` and ``hindcast_fails`` (side) from the forces on a surface's scans.
 
-    The ratio is the mean force with artificial octaves relative to that with the octave of the
-    scans; its interval holds the ratio with one more random octave. The hindcast fails if the whole
-    interval lies outside the tolerance, or if there is no octave.
+    The ratio is the mean force with artificial octaves relative to the mean force with the octave
+    of the scans. Its interval contains the ratio with one more artificial octave. The hindcast
+    fails if the whole interval lies outside the tolerance, or if there is no octave.
     """
     dimensions = ["map", *CONTACT_AXES]
     log_scan_force = xr.DataArray(np.log(forces["scan_octave_force"].mean(dimensions)))
@@ -156,15 +157,15 @@ def hindcast_ratios(forces: xr.Dataset, tolerance: float, confidence: float) -> 
 
 
 def hindcast_dataset(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
-    """Return `hindcast_ratios`, and two forces relative to the force on the scans.
+    """Return `hindcast_ratios`, and two other mean forces relative to the force on the scans.
 
-    ``filtered_scan_ratio`` is without the waves shorter than the outermost octave,
-    ``wide_pixel_ratio`` on wider pixels (`wide_pixels`).
+    ``filtered_scan_ratio`` is for scans without the waves shorter than the octave of the short
+    side, ``wide_pixel_ratio`` for scans with wider pixels.
     """
-    means = forces.mean(["map", *CONTACT_AXES])
-    filtered = means["scan_octave_force"].sel(side="short", drop=True) / means["scan_force"]
-    wide = means["wide_pixel_force"] / means["scan_force"]
+    mean_forces = forces.mean(["map", *CONTACT_AXES])
+    ratios = mean_forces / mean_forces["scan_force"]
+    filtered_scan_ratio = ratios["scan_octave_force"].sel(side="short", drop=True)
     return hindcast_ratios(forces, tolerance, confidence).assign(
-        filtered_scan_ratio=filtered.assign_attrs(DIMENSIONLESS),
-        wide_pixel_ratio=wide.assign_attrs(DIMENSIONLESS),
+        filtered_scan_ratio=filtered_scan_ratio.assign_attrs(DIMENSIONLESS),
+        wide_pixel_ratio=ratios["wide_pixel_force"].assign_attrs(DIMENSIONLESS),
     )

@@ -45,7 +45,8 @@ def read_own_spectrum(
 ) -> OwnSpectrum:
     """Return the spectrum of a table, or of scans of one surface at their reliable wavelengths.
 
-    `dataset` is the only scan to read, `sphere_radius` (nm) that of scans of a sphere.
+    `dataset` names the only scan to read, "" stands for all; `sphere_radius` (nm) is for scans of a
+    sphere.
     """
     if not files:
         raise ValueError("files: expected a table of a spectrum or scans, found none")
@@ -73,19 +74,19 @@ def spectrum_of_map(scan: HeightMap) -> OwnSpectrum:
     return _spectrum_of_scans([level_and_list_defects(scan)])
 
 
-def add_sphere_roughness(surface: OwnSpectrum, sphere: OwnSpectrum, seed: int) -> OwnSpectrum:
+def add_sphere_roughness(substrate: OwnSpectrum, sphere: OwnSpectrum, seed: int) -> OwnSpectrum:
     """Return the sum of both spectra, and of both maps if each body has a single one.
 
     The seed decides which positions of the maps meet. Raises ValueError for a table.
     """
-    substrate_spectrum, sphere_spectrum = surface.spectrum, sphere.spectrum
+    substrate_spectrum, sphere_spectrum = substrate.spectrum, sphere.spectrum
     if not isinstance(substrate_spectrum, ScanSpectrum) or not isinstance(
         sphere_spectrum, ScanSpectrum
     ):
         raise ValueError("--sphere: expected scans of both bodies, found a table of a spectrum")
     spectra = combine_spectra(substrate_spectrum.joined_dataset, sphere_spectrum.joined_dataset)
-    notes = surface.notes + sphere.notes
-    scans = surface.scans + sphere.scans
+    notes = substrate.notes + sphere.notes
+    scans = substrate.scans + sphere.scans
     if len(scans) > 2 or any(scan.kind != "map" for scan in scans):
         skewness = max(substrate_spectrum.skewness, sphere_spectrum.skewness, key=abs)
         return OwnSpectrum(reliable_spectrum(spectra, skewness), notes, scans)
@@ -105,7 +106,8 @@ def _sum_of_maps(substrate: HeightMap, sphere: HeightMap, *, seed: int) -> Heigh
 def _spectrum_of_scans(scans: Sequence[HeightMap], tip_radius: float | None = None) -> OwnSpectrum:
     """Return the joined spectrum of scans, with cautions and other notes.
 
-    Of scans of the same area only the first counts. The tip radius (nm) is for scans without one.
+    Of scans of the same area only the first counts. Scans that state no tip radius get `tip_radius`
+    (nm).
     """
     repeated = repetition_notes(scans, [scan.name for scan in scans])
     scans = [scan for index, scan in enumerate(scans) if index not in repeated]
@@ -114,10 +116,10 @@ def _spectrum_of_scans(scans: Sequence[HeightMap], tip_radius: float | None = No
         for scan in scans
         for code, numbers in scan.defects.items()
     ]
-    tips = [tip_radius if scan.tip_radius is None else None for scan in scans]
+    tip_radii = [tip_radius if scan.tip_radius is None else None for scan in scans]
     try:
-        spectra = joined_spectrum(scans, tips)
-    except ValueError as error:  # Spikes, for example, look like a noise floor.
+        spectra = joined_spectrum(scans, tip_radii)
+    except ValueError as error:  # Defects may be the cause: spikes look like a noise floor.
         lines = [f"{name}: expected a sound scan, found: {line}" for name, line in defects]
         raise ValueError("\n".join([str(error), *lines])) from None
     notes = [f"{TAKE_CARE}{line}" for line in repeated.values()]

@@ -1,4 +1,4 @@
-"""Contacts on the user's scans: the window of each, and whether a force can be summed quickly."""
+"""Windows of contacts on the user's scans, and whether forces can be summed quickly."""
 
 import math
 from collections.abc import Sequence
@@ -14,9 +14,9 @@ from hardcontact.contact.numerical_limits import Extent, minimum_range, periods_
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Height of the sphere above its apex at the border of the window, relative to the range of
-#: adhesion, as in the paper: the attraction has fallen by exp(-14).
+#: adhesion, as in the paper: there the attraction has fallen to exp(-14).
 BORDER_HEIGHT_IN_RANGES = 14
-#: The same height relative to the rms height.
+#: Another such height, relative to the rms height. The larger of both counts.
 BORDER_HEIGHT_IN_RMS = 4
 #: Largest number of mirrored scans per row of the window: more only repeat the same summits.
 MAX_MIRRORED_SCANS = 10
@@ -38,12 +38,11 @@ class Obstacle(StrEnum):
 def window_on_scans(
     rms_height: float, min_pixel_size: float, min_scan_size: float, radius: float, rho: float
 ) -> tuple[float, str]:
-    """Return the width of the window on scans, and the reason; all lengths are in nm."""
-    height = BORDER_HEIGHT_IN_RANGES * rho
-    height_words = f"{BORDER_HEIGHT_IN_RANGES} ranges of adhesion"
-    if BORDER_HEIGHT_IN_RMS * rms_height > height:
-        height = BORDER_HEIGHT_IN_RMS * rms_height
-        height_words = f"{BORDER_HEIGHT_IN_RMS} rms heights"
+    """Return the width of the window on scans, and what decides it; all lengths are in nm."""
+    height, height_words = max(
+        (BORDER_HEIGHT_IN_RANGES * rho, f"{BORDER_HEIGHT_IN_RANGES} ranges of adhesion"),
+        (BORDER_HEIGHT_IN_RMS * rms_height, f"{BORDER_HEIGHT_IN_RMS} rms heights"),
+    )
     width_at_height = 2 * math.sqrt(2 * radius * height)
     height_reason = f"at its border the sphere is {height_words} above its apex"
     pixel_reason = f"{MAX_MAP_PIXELS} pixels of the scans, the most that are computed"
@@ -65,9 +64,9 @@ def contact_on_scan(scan: HeightMap, contact: Contact) -> Contact:
 
 
 def find_obstacle(scans: Sequence[HeightMap], contact: Contact) -> tuple[Obstacle, float]:
-    """Return why levelled scans give no force, and the shortest range (nm) that a map resolves.
+    """Return why levelled scans give no force, and the shortest range (nm) that a map permits.
 
-    The range is NaN if any other obstacle is found first.
+    The range is NaN if another obstacle than SHORT_RANGE is found.
     """
     if not any(scan.kind == "map" for scan in scans):
         return Obstacle.NO_MAP, math.nan
@@ -75,10 +74,11 @@ def find_obstacle(scans: Sequence[HeightMap], contact: Contact) -> tuple[Obstacl
         return Obstacle.SEVERAL_SCANS, math.nan
     (scan,) = scans
     window = contact_on_scan(scan, contact).window
-    contact_pixels = contact.pixel_count(scan.pixel_size) * periods_in_window(window, scan.size)
-    contact_pixels *= contact.contacts_per_row**2
+    pixels_per_contact = contact.pixel_count(scan.pixel_size) * periods_in_window(window, scan.size)
+    contact_pixels = pixels_per_contact * contact.contacts_per_row**2
     if scan.pixels > MAX_QUICK_PIXELS or contact_pixels > MAX_QUICK_CONTACT_PIXELS:
         return Obstacle.TOO_LARGE, math.nan
     extent = Extent(scan.pixels, scan.pixel_size, scan.size, float(np.ptp(scan.heights)))
     shortest_range, _ = minimum_range(contact.radius, window, extent)
-    return Obstacle.SHORT_RANGE if contact.rho < shortest_range else Obstacle.NONE, shortest_range
+    obstacle = Obstacle.SHORT_RANGE if contact.rho < shortest_range else Obstacle.NONE
+    return obstacle, shortest_range

@@ -60,23 +60,26 @@ def prediction_and_scan_force(
     confidence: float,
     name: str = "spectrum",
 ) -> dict[str, Number]:
-    """Return the numbers of the closed form for a spectrum, and of the force on its only map."""
+    """Return the numbers of the closed form for a spectrum, and of the force on its only map.
+
+    Messages call the spectrum `name`.
+    """
     numbers = prediction(own_spectrum.spectrum, contact, tolerance, name)
     scan_numbers = force_on_scan(own_spectrum, contact, confidence)
     closed_form_on_scan = scan_numbers.get("closed_form_on_scan")
     # A closed form that fails on the map has no known error for its spectrum, either.
     if closed_form_on_scan is not None and closed_form_on_scan.status != ClosedFormStatus.AGREES:
         for quantity in numbers.keys() & CLOSED_FORM_NAMES:
-            number = numbers[quantity]._replace(low=math.nan, high=math.nan)
-            is_known = math.isfinite(number.value)
-            numbers[quantity] = number._replace(status=Validity.OUTSIDE) if is_known else number
+            number = numbers[quantity]
+            status = Validity.OUTSIDE if math.isfinite(number.value) else number.status
+            numbers[quantity] = number._replace(low=math.nan, high=math.nan, status=status)
     return scan_numbers | numbers
 
 
 def force_on_scan(
     own_spectrum: OwnSpectrum, contact: Contact, confidence: float
 ) -> dict[str, Number]:
-    """Return the force summed over the pixels of the only map, or why there is none."""
+    """Return the numbers of the force on the only map, or why it has none; empty for a table."""
     spectrum, _, scans, body_maps = own_spectrum
     if not (scans and isinstance(spectrum, ScanSpectrum)):
         return {}
@@ -91,7 +94,7 @@ def force_on_scan(
     contact = contact_on_scan(scan, contact)
     surface_forces = _surface_forces(scan, mirrored_scan, body_maps, contact)
     wide_pixel_ratio = _wide_pixel_ratio(scan, mirrored_scan, contact)
-    # Finer pixels may lower forces, but not raise them: they lower the low end of intervals.
+    # Finer pixels may lower forces, but not raise them: the factor lowers the low end of intervals.
     pixel_factor = float(np.fmax(wide_pixel_ratio, 1.0))
     force = _mean_force(surface_forces, smooth_force(contact), pixel_factor, confidence)
     search_width = search_size(spectrum.extrapolated(), contact.radius, contact.area)
@@ -111,12 +114,13 @@ def _surface_forces(
     scan: HeightMap, mirrored_scan: HeightMap, body_maps: Sequence[HeightMap], contact: Contact
 ) -> SurfaceForces:
     """Return the plastic forces (N) of a smooth sphere, or of a rough sphere at many positions."""
-    joined_bodies = [join_bodies(mirrored_scan, None, contact)]
     if body_maps:
         substrate, sphere = (mirror_in_float32(body_map) for body_map in body_maps)
         contact = replace(contact, contacts_per_row=POSITION_CONTACTS_PER_ROW)
         positions = spheres_at_positions(sphere, math.isqrt(SPHERE_POSITIONS))
         joined_bodies = [join_bodies(substrate, position, contact) for position in positions]
+    else:
+        joined_bodies = [join_bodies(mirrored_scan, None, contact)]
     pull_off = pull_off_on_spheres(dict(enumerate(joined_bodies)), contact, [contact.rho])
     forces = contact.work * pull_off["pull_off_force"].sel(contact_model=PLASTIC, drop=True)
     touched_patches = float(pull_off["touched_patches"].max())
@@ -126,7 +130,7 @@ def _surface_forces(
 def _mean_force(
     surface_forces: SurfaceForces, bound: float, pixel_factor: float, confidence: float
 ) -> Number:
-    """Return the mean plastic force (N); it and its interval are at most the bound."""
+    """Return the mean plastic force (N), at most the bound, with an interval for finer pixels."""
     values = np.append(surface_forces.mean, mean_intervals(surface_forces, confidence)[0])
     mean, low, high = limit_forces(values, bound).tolist()
     source = surface_forces.scan_parts[0].interval_source
@@ -158,7 +162,8 @@ def _closed_form_number(
 ) -> Number:
     """Return the force in closed form for all wavelengths of the mirrored scan.
 
-    Its interval, of which `small_scan_ratio` raises the upper end, is NaN unless the force agrees.
+    `small_scan_ratio` raises the high end of its interval, `pixel_factor` lowers the low end. The
+    interval is NaN unless the force on the scan agrees.
     """
     wavevector, _, density = measured_psds(mirrored_scan)
     has_waves = np.isfinite(density)
@@ -167,6 +172,7 @@ def _closed_form_number(
     point = table_point(spectrum, contact, formula)
     lowest, highest = nearest_ratios(point, "force")
     low, high = lowest * formula.force, highest * small_scan_ratio * formula.force
+    # A force without an interval is compared itself.
     is_bounded = math.isfinite(force.low + force.high)
     force_low, force_high = (force.low, force.high) if is_bounded else (force.value, force.value)
     if low > force_high or high < force_low:

@@ -22,7 +22,7 @@ EXPECTED_COLUMNS = (
     "a table with one of the columns wavevector and wavelength, one of c_iso and c_1d, and the "
     "unit of each (wavelength_unit, ...)"
 )
-#: The unit of a column: a pattern around the unit of length, and words.
+#: The unit of a column: a pattern whose group is the unit of length, and its words in messages.
 COLUMN_UNITS = {
     "wavevector": (
         r"rad\s*/\s*(\S+)",
@@ -36,13 +36,13 @@ COLUMN_UNITS = {
 MAX_HEADER_BYTES = 1000
 #: The first heading of a table of positions and heights.
 POSITION_HEADING = re.compile(r"\W*(x|position|distance|lateral)\b", re.IGNORECASE)
-#: Fewest wavelengths with roughness in a table. In a trial with roll-offs, five points over four
+#: Fewest wavelengths with roughness in a table. On spectra with a roll-off, five points over four
 #: decades gave the rms height with an error of up to 41 %, four points up to 57 %.
 MIN_WAVELENGTHS = 5
 
 
 def is_spectrum_table(path: str | Path) -> bool:
-    """Return whether a file is a table of a spectrum: a CSV whose header names no positions."""
+    """Return whether a file is a table of a spectrum: a CSV with a header, but not of positions."""
     if Path(path).suffix.lower() != ".csv" or not Path(path).is_file():
         return False
     with open(path, "rb") as file:
@@ -56,9 +56,9 @@ def read_spectrum_table(path: str | Path) -> Spectrum:
     wave_column = _find_column(table, WAVE_COLUMNS)
     density_column = _find_column(table, DENSITY_COLUMNS)
     points = table.map_rows(lambda row: _wavevector_and_density(row, wave_column, density_column))
-    lines = dict[str, int]()
+    first_lines = dict[str, int]()
     for line, (wavevector, _) in points.items():
-        first_line = lines.setdefault(f"{wavevector:.9g}", line)
+        first_line = first_lines.setdefault(f"{wavevector:.9g}", line)
         if first_line != line:
             message = f"line {line}: expected each wavelength once, found that of line {first_line}"
             raise ValueError(f"{path}: {message}")
@@ -75,7 +75,7 @@ def read_spectrum_table(path: str | Path) -> Spectrum:
 
 
 def _find_column(table: UserTable, names: Sequence[str]) -> str:
-    """Return the only column of these names; the column of its unit must be there, too."""
+    """Return the only column of these names; refuse a table without the column of its unit."""
     present = [name for name in names if name in table.header]
     if len(present) != 1:
         raise ValueError(
@@ -106,7 +106,7 @@ def _wavevector_and_density(row: Row, wave_column: str, density_column: str) -> 
 
 
 def _length_in_nm(row: Row, name: str) -> float:
-    """Return the length in the unit of a column, in nm; refuse a unit of another quantity."""
+    """Return the unit of length, in nm, in a column's unit; refuse a unit of another quantity."""
     pattern, words = COLUMN_UNITS[name]
     unit = row[f"{name}_unit"]
     match = re.fullmatch(pattern, unit)
