@@ -30,7 +30,7 @@ from hardcontact.surfaces.spectral_models import smooth_rolloff
 
 DOCS = ROOT / "resources/docs"
 FUNCTIONS = [name for name in hc.API if inspect.isfunction(getattr(hc, name))]
-PIXEL = 10.0
+PIXEL_SIZE = 10.0  # nm
 LOAD = {"preload": 10e-6, "hardness": 25e9}
 ARRAY = {"window": 1600.0, "contacts_per_row": 3}
 SPHERE = {"radius": 50e3}
@@ -40,7 +40,7 @@ SPHERE = {"radius": 50e3}
 def files(tmp_path, monkeypatch, quick_predictions):
     """Work in a folder with a scan and a table of a spectrum."""
     monkeypatch.chdir(tmp_path)
-    heights = random_map(generator(3), 128, PIXEL).heights / 4
+    heights = random_map(generator(3), 128, PIXEL_SIZE).heights / 4
     scan_files.write_scan(tmp_path / "scan.nc", heights.T, (1280.0, 1280.0))
     spectrum = self_affine_spectrum(rms=17)
     rows = ["wavevector,wavevector_unit,c_iso,c_iso_unit"]
@@ -52,7 +52,7 @@ def files(tmp_path, monkeypatch, quick_predictions):
     return tmp_path
 
 
-def test_names_are_loaded_when_they_are_used():
+def test_importing_the_library_loads_neither_its_modules_nor_numpy():
     assert set(hc.API) <= set(dir(hc)) & set(dir(api)) and len(FUNCTIONS) <= 10
     assert hc.__version__ in (ROOT / "pyproject.toml").read_text()
     assert "api" not in hc.API and not hasattr(hc, "read")
@@ -71,7 +71,7 @@ def test_the_example_of_every_function_runs(name, files):
         exec(example.source, names)
 
 
-def test_arguments_that_are_no_roughness_are_refused_in_one_line(files):
+def test_roughness_that_is_neither_a_map_nor_a_spectrum_is_refused_in_one_line(files):
     scan = hc.read_scan("scan.nc")
     assert_says(refusal(hc.read_spectrum, ["scan.nc"]), "expected a path", "['scan.nc']")
     call = partial(hc.predict, rho=1, work=1, **SPHERE, **LOAD)
@@ -130,14 +130,14 @@ def test_the_notebook_shows_what_its_cells_return(monkeypatch, capsys):
 def test_forces_are_the_direct_sum_over_every_pixel(files):
     scan, work, rho = hc.read_scan("scan.nc"), 0.05, 5.6
     forces = hc.pull_off_forces(scan, rho=[2.0, rho], work=work, **SPHERE, **LOAD, **ARRAY)
-    pixels, window = 256, 160
+    pixels, window = 256, 160  # of the mirrored scan and of the window of ARRAY
     mirrored = mirror(scan.heights)
     positions = np.floor((np.arange(3) + 0.25) * pixels / 3).astype(int)
     for i, j in np.ndindex(3, 3):
-        gap = gap_to_sphere(mirrored, positions[[i, j]], window, PIXEL, SPHERE["radius"])
+        gap = gap_to_sphere(mirrored, positions[[i, j]], window, PIXEL_SIZE, SPHERE["radius"])
         # The preload over the hardness is 400 nm², four pixels.
         for model, count in (("rigid", 1), ("plastic", 4)):
-            direct_sum = direct_force(gap, count, rho, PIXEL, work)
+            direct_sum = direct_force(gap, count, rho, PIXEL_SIZE, work)
             force = forces.pull_off_force.sel(contact_model=model, rho=rho)[i, j].item()
             assert force == pytest.approx(direct_sum, rel=1e-6)
     assert forces.pull_off_force.units == "N" and forces.work_of_adhesion == work
@@ -179,24 +179,24 @@ def test_a_topography_is_prepared_like_its_file(files):
     assert object_scan.pixel_size == file_scan.pixel_size
     metres = Topography(1e-9 * topography.heights(), (1.28e-6, 1.28e-6), unit="m")
     np.testing.assert_allclose(hc.from_topography(metres).heights, file_scan.heights, atol=1e-4)
-    for faulty_values, message_parts in {
+    for faulty_topography, message_parts in {
         Topography(topography.heights(), (1.0, 1.0)): ["a map of SurfaceTopography with a unit"],
         UniformLineScan(np.arange(64.0), 1.0, unit="nm"): ["found UniformLineScan"],
         Topography(np.zeros((4, 4)), (1.0, 1.0), unit="V"): ["a unit of length, found 'V'"],
     }.items():
         assert_says(
-            refusal(hc.from_topography, faulty_values), "topography: expected", *message_parts
+            refusal(hc.from_topography, faulty_topography), "topography: expected", *message_parts
         )
 
 
 def test_a_scan_and_its_spectrum_are_predicted_like_the_file(files):
-    """Measured or extrapolated, with the numbers, the intervals and the status of the command."""
+    """Measured and extrapolated spectra give the numbers, intervals and statuses of the command."""
     contact = {"radius": 250e3, "rho": 5.6, "work": 0.0463} | LOAD
     wide = random_map(
         generator(3), 256, 40.0, partial(smooth_rolloff, plateau=3e5, rolloff=1000.0, hurst=0.8)
     )
     path = scan_files.write_scan(files / "wide.nc", wide.heights.T, (10240.0, 10240.0))
-    written = predict_json(str(path))
+    command_numbers = predict_json(str(path))
     scan_numbers = hc.predict(hc.read_scan(path), **contact)
     measured_numbers = hc.predict(hc.read_spectrum(path), **contact)
     extrapolated_numbers = hc.predict(hc.read_spectrum(path, extrapolated=True), **contact)
@@ -204,16 +204,16 @@ def test_a_scan_and_its_spectrum_are_predicted_like_the_file(files):
         for name in ("closed_form_force", "short_edge", "long_edge"):
             number = numbers[name]
             is_force = prefix and name == "closed_form_force"
-            command = written["extrapolated_force" if is_force else prefix + name]
-            assert number.value == pytest.approx(command["value"])
-            assert number.status == command["status"]
-            assert np.isfinite(number.low) == ("interval" in command)
+            command_number = command_numbers["extrapolated_force" if is_force else prefix + name]
+            assert number.value == pytest.approx(command_number["value"])
+            assert number.status == command_number["status"]
+            assert np.isfinite(number.low) == ("interval" in command_number)
     assert extrapolated_numbers["closed_form_force"].status == "inside"
     reliable_force = extrapolated_numbers["reliable_force"]
     assert reliable_force.value == measured_numbers["closed_form_force"].value
     assert reliable_force.status == "inside"
     for name in ("closed_form_force", "extrapolated_force", "short_edge"):
-        assert scan_numbers[name].value == pytest.approx(written[name]["value"], rel=1e-4)
+        assert scan_numbers[name].value == pytest.approx(command_numbers[name]["value"], rel=1e-4)
 
 
 def test_an_extrapolated_force_without_a_known_error_has_a_reason(files):
@@ -253,7 +253,7 @@ FAULTY = [
     (hc.pull_off_forces, {"scan": np.zeros((64, 64))}, ["scan: expected a scan of hc.read_scan"]),
     (hc.pull_off_forces, {"scan": hc.HeightMap(np.zeros((64, 64)), 3e7)},
      ["a pixel_size of 0.05 to 10000 nm, found 3e+07 nm: is the unit right?"]),
-    (hc.pull_off_forces, {"scan": hc.HeightMap(np.zeros((16, 32)), PIXEL)},
+    (hc.pull_off_forces, {"scan": hc.HeightMap(np.zeros((16, 32)), PIXEL_SIZE)},
      ["scan: expected a square map", "16 x 32 pixels"]),
     (hc.pull_off_forces, {"sphere": "sphere.nc"}, ["sphere: expected a scan of hc.read_scan"]),
     (hc.pull_off_forces, {"preload": 9e-4, "hardness": 5e8}, ["at most", "found 900 µN"]),
@@ -279,7 +279,7 @@ FAULTY = [
 
 @pytest.mark.filterwarnings("ignore:.*is the unit right")
 def test_faulty_arguments_are_refused_in_one_line_in_the_words_of_python(files):
-    """The command has the same checks, but names options and keys."""
+    """The commands make the same checks, but their messages name options and keys."""
     np.savetxt("bare.txt", HOLED.data)
     np.savetxt("line.txt", np.column_stack([np.arange(32), HOLED.data[0]]))
     contact, scan = SPHERE | LOAD, hc.read_scan("scan.nc")

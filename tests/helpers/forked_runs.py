@@ -1,4 +1,4 @@
-"""Run programs in processes of their own that have already loaded the other packages."""
+"""Run programs in forks of this process, which have loaded all packages but the library."""
 
 import ast
 import importlib
@@ -18,14 +18,14 @@ import pytest
 
 
 def run_forked(function, *arguments):
-    """Return the result of a function in a separate process, which starts without the library."""
+    """Return the result of a function in a fork of this process, which it cannot change."""
     context = multiprocessing.get_context("fork")
-    ours, theirs = context.Pipe()
-    process = context.Process(target=lambda: theirs.send(function(*arguments)))
+    receiver, sender = context.Pipe(duplex=False)
+    process = context.Process(target=lambda: sender.send(function(*arguments)))
     process.start()
-    theirs.close()
+    sender.close()
     try:
-        return ours.recv()
+        return receiver.recv()
     except EOFError:
         pytest.fail("the process ended without a result; see above what it printed")
     finally:
@@ -42,7 +42,7 @@ def use_library_of(folder):
 
 
 def run_program(folder, module, words, environment):
-    """Run the `main` of a module in a folder with its own library.
+    """Run the `main` of a module in a folder with its own library, with words as its arguments.
 
     Returns the exit code and the text of output and errors.
     """
@@ -53,9 +53,9 @@ def run_program(folder, module, words, environment):
 def run_programs(folder, module, runs, environment, load=lambda: None):
     """Return the result of `run_program` for several runs, each a list of words.
 
-    The runs share what `load` loads from the library.
+    `load` loads parts of the library once for all runs.
     """
-    importlib.import_module(module)  # with its packages, once for all runs
+    importlib.import_module(module)  # Its packages are loaded once for all runs.
 
     def run_each():
         use_library_of(folder)
@@ -66,7 +66,7 @@ def run_programs(folder, module, runs, environment, load=lambda: None):
 
 
 def run_captured(module, words, environment):
-    """Run the `main` of a module in a process of its own; return the exit code and the text."""
+    """Run the `main` of a module in a fork; return the exit code and the text."""
     with tempfile.TemporaryFile() as output:
         code = run_forked(call_main, module, words, environment, output.fileno())
         output.seek(0)
@@ -74,13 +74,14 @@ def run_captured(module, words, environment):
 
 
 def call_main(module, words, environment, output):
+    """Run the `main` of a module with output to a file descriptor; return the exit code."""
     sys.dont_write_bytecode = False  # The next run in this folder need not compile again.
     os.environ.update(environment)
     for descriptor in (1, 2):
         os.dup2(output, descriptor)
     sys.stdout = sys.stderr = open_output()
     if shell := sys.modules.get("snakemake.shell"):
-        shell.STDOUT = None  # Jobs write here, too, and not where pytest captures.
+        shell.STDOUT = None  # Jobs write to the same output, not where pytest captures.
     sys.argv = [module, *words]
     warnings.resetwarnings()
     warnings.simplefilter("ignore")
@@ -114,7 +115,7 @@ def load_job_packages():
 def fork_jobs():
     """Let Snakemake run scripts in forks of this process, not in a Python that starts for each.
 
-    A fork has the packages of this process, and the library as far as earlier scripts loaded it.
+    A fork has the packages of this process, and what its script and earlier ones import.
     """
     from snakemake.benchmark import benchmarked
     from snakemake.script import PythonScript
@@ -138,7 +139,7 @@ def fork_jobs():
 
 
 def run_script(path):
-    """Run a script, then end this process, without what the process would do before its end."""
+    """Run a script, then end this process, without its exit handlers."""
     # Another thread may have held the lock of the inherited stream during the fork.
     sys.stdout = sys.stderr = open_output()
     code = 1

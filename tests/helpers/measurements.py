@@ -16,7 +16,7 @@ PIXEL = 2500 / 512  # nm, of the paper's scans
 
 
 def uncd_density(q):
-    """Return C_iso (nm⁴) at wavevectors in rad/nm, as in `resources/spectra/uncd-measured.csv`."""
+    """Return C_iso (nm⁴) at wavevectors in rad/nm, as in the first row of uncd-measured.csv."""
     return 6.1e7 * (1 + (q * 930.0 / (2 * np.pi)) ** 2) ** -1.84
 
 
@@ -45,9 +45,9 @@ def measurement(heights, pixel_size, tip_radius=None, path="a.spm"):
 
 
 def random_map(rng, pixels, pixel_size, spectrum=uncd_density, **stated):
-    """Return a map, cut out of a random surface of twice its size."""
+    """Return a map, cut out of a random surface of twice its size; the file states `stated`."""
     surface = random_surface(rng, 2 * pixels, pixel_size, spectrum)
-    return measurement(surface.heights[:pixels, :pixels].astype(float), pixel_size, **stated)
+    return measurement(cut_scan(surface, pixels).heights, pixel_size, **stated)
 
 
 def self_affine_heights(rng, pixels, pixel_size, rms_height, hurst=0.8, rolloff=800.0):
@@ -58,14 +58,14 @@ def self_affine_heights(rng, pixels, pixel_size, rms_height, hurst=0.8, rolloff=
 
 
 def random_line(rng, points, spacing, spectrum=uncd_density, **stated):
-    """Return a line scan, cut out of a profile of four times its length.
+    """Return a line scan, cut out of a random profile of four times its length.
 
     The profile is a sum of waves of random phases with the C_1D of the surface.
     """
     count, length = 4 * points, 4 * points * spacing
-    profile = periodic_profile(spectrum, count, spacing)
-    amplitudes = rng.normal(size=(2, len(profile))) / np.sqrt(2)
-    waves = (amplitudes[0] + 1j * amplitudes[1]) * np.sqrt(profile * length) / spacing
+    density = periodic_profile_density(spectrum, count, spacing)
+    amplitudes = rng.normal(size=(2, len(density))) / np.sqrt(2)
+    waves = (amplitudes[0] + 1j * amplitudes[1]) * np.sqrt(density * length) / spacing
     coefficients = np.append(0, waves)
     return measurement(np.fft.irfft(coefficients, count)[:points], spacing, **stated)
 
@@ -80,12 +80,12 @@ def two_sizes_and_a_line(seed):
 
 
 @cache
-def periodic_profile(spectrum, count, spacing):
+def periodic_profile_density(spectrum, count, spacing):
     """Return C_1D (nm³) at the wavevectors of a periodic profile, without zero."""
-    return profile_of(spectrum, 2 * np.pi * np.fft.rfftfreq(count, spacing)[1:])
+    return profile_density(spectrum, 2 * np.pi * np.fft.rfftfreq(count, spacing)[1:])
 
 
-def profile_of(spectrum, wavevector):
+def profile_density(spectrum, wavevector):
     """Return C_1D (nm³) by numerical integration of (1/pi) ∫ C_iso dq_y."""
     ratio = np.logspace(-5, 4, 1001)
     q_y = wavevector[:, None] * ratio

@@ -27,8 +27,8 @@ NASTY = [
 ]  # fmt: skip
 
 
-def mutated(content, rng):
-    """Return the content with some bits, pieces or numbers changed."""
+def mutate(content, rng):
+    """Return the content after one to five changes of a bit, a piece or a number."""
     content = bytearray(content)
     for _ in range(rng.choice([1, 1, 2, 5])):
         position = rng.randrange(len(content) + 1)
@@ -54,8 +54,8 @@ def mutated(content, rng):
     return bytes(content)
 
 
-def scans(folder):
-    """Return small scans in several formats, and the available real scans, by file name."""
+def scan_contents(folder):
+    """Return small scans in several formats, and real scans if there are any, by file name."""
     heights = np.random.default_rng(1).standard_normal((20, 20))
     topography = Topography(heights, (200.0, 200.0), unit="nm")
     for kind, write in MAP_WRITERS.items():
@@ -70,8 +70,8 @@ def read_scans(path):
         read_scan(path, dataset, undefined_pixels="harmonic")
 
 
-def texts(folder):
-    """Return matrices and points with commas and gaps, by file name."""
+def text_contents(folder):
+    """Return matrices, one with decimal commas, and points with gaps, by file name."""
     heights = np.random.default_rng(1).standard_normal((20, 20))
     y, x = np.indices(heights.shape) / 100
     points = np.column_stack([x.ravel(), y.ravel(), heights.ravel()])[9:]
@@ -82,7 +82,7 @@ def texts(folder):
     return files | {"b.csv": files["b.csv"].replace(b".", b",")}
 
 
-POWER = "wavelength,wavelength_unit,c_iso,c_iso_unit\n" + "".join(
+SPECTRUM_TABLE = "wavelength,wavelength_unit,c_iso,c_iso_unit\n" + "".join(
     f"{10 ** (1 + k / 9):.4g},nm,{100 * 10 ** (k / 3):.4g},nm4\n" for k in range(19)
 )
 DESCRIPTION = (
@@ -96,14 +96,18 @@ def read_description(path):
     described_rms_height(path, 4000.0)
 
 
-#: Kinds of input: a function that writes whole files, and a function that reads one.
+#: Kinds of input: a function that returns the contents of whole files by name, and one that reads a
+#: file.
 KINDS = {
-    "scan": (scans, read_scans),
+    "scan": (scan_contents, read_scans),
     "text": (
-        texts,
+        text_contents,
         lambda path: read_scan(path, undefined_pixels="harmonic", unit="um,nm", map_size=200.0),
     ),
-    "spectrum": (lambda _: {"a.csv": POWER.encode()}, lambda path: read_own_spectrum([path])),
+    "spectrum": (
+        lambda _: {"a.csv": SPECTRUM_TABLE.encode()},
+        lambda path: read_own_spectrum([path]),
+    ),
     "forces": (
         lambda _: {"a.csv": b"surface,value,unit\na,1,uN\nb,2.5,nN\na,3,uN\n"},
         lambda path: read_forces(path, ["a", "b"], 250e3),
@@ -114,25 +118,25 @@ KINDS = {
             "a.tsv": b"surface\tlabel\tscan\tsource\tpath\tdataset\n"
             + f"a\tA\t1\tmeasured\t{__file__}\t\na\tA\t2\tmeasured\t{random.__file__}\t\n".encode()
         },
-        lambda path: surface_table(path),
+        surface_table,
     ),
 }
 
 
-@pytest.mark.filterwarnings("ignore::RuntimeWarning")  # of numbers that are no surface's
+@pytest.mark.filterwarnings("ignore::RuntimeWarning")  # Mutated heights overflow.
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_damaged_file_is_read_or_refused_in_clear_lines(tmp_path, kind):
-    files_of, read_files = KINDS[kind]
+    whole_contents, read_file = KINDS[kind]
     (tmp_path / "whole").mkdir()
-    files = files_of(tmp_path / "whole")
+    contents = whole_contents(tmp_path / "whole")
     rng, refusals = random.Random(2026), 0
     for number in range(20):
-        name = rng.choice(sorted(files))
+        name = rng.choice(sorted(contents))
         path = tmp_path / f"{number}-{name}"
-        path.write_bytes(mutated(files[name], rng))
+        path.write_bytes(mutate(contents[name], rng))
         start = time.monotonic()
         try:
-            read_files(path)
+            read_file(path)
         except ValueError as error:
             refusals += 1
             lines = str(error).splitlines()

@@ -1,4 +1,4 @@
-"""Forces that follow from a work and a range of adhesion."""
+"""Forces on scans and extrapolated forces: means, intervals, bounds, and contacts needed."""
 
 import numpy as np
 import pytest
@@ -32,13 +32,13 @@ def forces_of(computed_forces):
     return forces_on_scans(computed_forces, CONTACT, SCAN_SIZES, 0.9)
 
 
-def adhesion(scans, radius=5e3, spread=0.3):
-    """Log-normal forces: 2 rho N at 1 J/m² in the median, ten times that in plastic contact."""
+def adhesion(scan_counts, radius=5e3, spread=0.3):
+    """Log-normal forces: 2 rho N at 1 J/m² in the median, ten times as much in plastic contact."""
     rng = np.random.default_rng(1)
-    shape = (2, max(scans), 2, 2, 1, 4, 4)  # FORCE_DIMS
+    shape = (2, max(scan_counts), 2, 2, 1, 4, 4)  # FORCE_DIMS
     forces = np.exp(spread * rng.standard_normal(shape)) * 2 * np.array(RHOS)[:, None, None]
     forces[:, :, :, 1] *= 10
-    for surface, count in enumerate(scans):
+    for surface, count in enumerate(scan_counts):
         forces[surface, count:] = np.nan
     return xr.Dataset(
         {
@@ -66,7 +66,7 @@ def test_the_force_is_the_mean_over_contacts_times_the_work():
     np.testing.assert_allclose(log_force_std, np.log(single).std())
 
 
-def test_three_scans_give_student_s_interval_and_fewer_a_wider_conditional_one():
+def test_three_scans_give_the_interval_of_student_s_t_and_one_scan_that_of_its_quarters():
     computed_forces = adhesion([3, 1], spread=0.02).isel(sphere_scan=[0])
     scan_forces = forces_of(computed_forces)
     assert "position_factor" not in scan_forces
@@ -83,7 +83,7 @@ def test_three_scans_give_student_s_interval_and_fewer_a_wider_conditional_one()
     low, high = (scan_forces.force_interval.isel(end=index) for index in (0, 1))
     assert (low < scan_forces.force).all() and (scan_forces.force < high).all()
     width = np.log(high / low).sel(surface="b", contact_model="rigid")
-    assert (width.diff("rho") > 0).all()  # The longer the range, the more quarters share.
+    assert (width.diff("rho") > 0).all()  # The longer the range, the more alike are quarters.
 
 
 def test_the_interval_includes_the_position_on_a_rough_sphere():
@@ -95,7 +95,7 @@ def test_the_interval_includes_the_position_on_a_rough_sphere():
         touched_patches=smooth.touched_patches.isel(sphere_scan=[0] * 16),
     )
     scan_forces = forces_of(rough_sphere)
-    # One more of 16 normal numbers lies within this distance of their mean.
+    # Of 16 normal numbers, one more lies within this distance of the mean, with 90 % confidence.
     half_width = stats.t(15).ppf(0.95) * logarithms.std(ddof=1).item() * np.sqrt(1 + 1 / 16)
     np.testing.assert_allclose(scan_forces.position_factor, np.exp(half_width), rtol=1e-4)
     ends = scan_forces.force_interval / scan_forces.force
@@ -125,7 +125,7 @@ def test_contacts_that_touch_few_patches_give_no_interval():
 
 
 def test_forces_are_bounded_by_that_of_a_smooth_sphere():
-    scan_forces = forces_of(adhesion([3, 1]))  # newtons: far too large
+    scan_forces = forces_of(adhesion([3, 1]))  # Newtons, far above the bound of some µN.
     extrapolated_forces = xr.Dataset(
         {"extrapolated_force": ("side", [1e-9, 1.0])}, {"side": ["short", "long"]}
     ).assign(extrapolated_force_interval=("side", [1e-9, 1.0]))
@@ -151,7 +151,7 @@ MASTER_FORCES = filtered_forces([[SHORT, LONG]]).assign(transition=("side", [20.
 
 
 def extrapolated_forces_of(patches=99):
-    """The forces on masters of one scan, whose contacts touch a number of patches at least."""
+    """Extrapolated forces from masters of one scan, whose contacts touch a number of patches."""
     master_scans = MasterScans(scan_counts={"a": 1}, tiles=2, touched_patches={"a": patches})
     return find_extrapolated_forces(MASTER_FORCES, master_scans, CONTACT.work, confidence=0.95)
 

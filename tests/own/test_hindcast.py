@@ -24,8 +24,8 @@ SCAN = random_surface(generator(5), PIXELS, PIXEL, UNCD)
 OCTAVE = (8 * PIXEL, 16 * PIXEL)
 
 
-def ratios(heights, side):
-    """Hindcasts of a scan, with random octaves that have the spectrum UNCD."""
+def hindcast_of(heights, side):
+    """Return the `hindcast_ratios` of a scan, with artificial octaves of the spectrum UNCD."""
     mirrored = mirror_scan(replace(SCAN, heights=heights))
     forces = hindcast.hindcast_forces(
         mirrored,
@@ -39,7 +39,7 @@ def ratios(heights, side):
 
 @pytest.mark.parametrize("side", ["short", "long"])
 def test_a_gaussian_scan_passes(side):
-    result = ratios(SCAN.heights, side)
+    result = hindcast_of(SCAN.heights, side)
     low, high = result["hindcast_ratio_interval"].values
     assert low < 1 < high or abs(result["hindcast_ratio"] - 1) < 0.1
     assert result["hindcast_fails"] == 0
@@ -54,7 +54,9 @@ def test_a_gaussian_scan_passes(side):
         (1.15, 0.01, True), (1.15, 0.05, False),
     ],
 )  # fmt: skip
-def test_a_ratio_fails_if_its_interval_lies_outside_the_tolerance(ratio, log_scatter, fails):
+def test_a_hindcast_fails_if_the_interval_of_its_ratio_lies_outside_the_tolerance(
+    ratio, log_scatter, fails
+):
     draws = np.random.default_rng(2).standard_normal(12)
     log_deviations = log_scatter * (draws - draws.mean()) / draws.std(ddof=1)
     scan_force = xr.DataArray(
@@ -70,14 +72,14 @@ def test_a_ratio_fails_if_its_interval_lies_outside_the_tolerance(ratio, log_sca
 
 
 def test_a_plateau_with_pits_fails():
-    """Cut off all heights above the mean: the force is higher, and no random octave has it."""
+    """Without heights above the mean the force is higher than with any artificial octave."""
     heights = np.minimum(SCAN.heights, 0) * 2
-    result = ratios(heights, "short")
+    result = hindcast_of(heights, "short")
     assert result["hindcast_fails"] == 1 and result["hindcast_ratio"] < 1
 
 
 @pytest.mark.parametrize("side", ["short", "long"])
-def test_the_octave_alone_is_replaced_and_there_are_no_waves_beyond_it(side):
+def test_only_the_octave_is_replaced_and_there_are_no_waves_beyond_it(side):
     mirrored, surfaces = mirror_scan(SCAN), []
 
     def record_surface(surface):
@@ -101,7 +103,7 @@ def test_the_octave_alone_is_replaced_and_there_are_no_waves_beyond_it(side):
 
 
 def test_the_interval_has_its_confidence():
-    """Means of forces of a log-normal distribution: the kept one is a draw like the others."""
+    """The force with the octave of the scan is a draw like those with artificial octaves."""
     rng = np.random.default_rng(3)
     trials = 2000
     draws = np.exp(0.3 * rng.standard_normal((hindcast.ARTIFICIAL_OCTAVE_COUNT + 1, trials)))
@@ -117,13 +119,13 @@ def test_the_interval_has_its_confidence():
     assert result["hindcast_fails"].mean() == pytest.approx(0.05, abs=0.015)
 
 
-def test_a_scan_without_an_octave_proves_no_artificial_roughness():
+def test_a_hindcast_without_an_octave_fails():
     forces = hindcast.hindcast_forces(mirror_scan(SCAN), {"short": None}, [], pytest.fail, 6)
     result = hindcast.hindcast_ratios(forces.expand_dims("map"), 0.1, 0.95).sel(side="short")
     assert np.isnan(result["hindcast_ratio"]) and result["hindcast_fails"] == 1
 
 
-def test_each_side_ends_with_an_octave_within_the_reliable_wavelengths():
+def test_outermost_octaves_lie_within_the_reliable_wavelengths():
     measurements = xr.Dataset(
         {
             "reliable": (("measurement", "bin_wavevector"), [[1, 0], [0, 1], [0, 0]]),
@@ -145,7 +147,7 @@ def test_wide_pixels_have_the_mean_heights_of_their_blocks():
 
 
 def test_wide_pixels_hide_summits():
-    """On a smooth map they change nothing; the sphere's pixels count, too."""
+    """They raise the force on a rough map or under a rough sphere; on flat maps it stays."""
     flat = mirror_scan(replace(SCAN, heights=SCAN.heights * 0))
     rough = mirror_scan(SCAN)
     wide_pixel_ratios = []

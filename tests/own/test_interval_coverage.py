@@ -15,8 +15,7 @@ from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER
 from hardcontact.surfaces.spectral_models import varying_hurst
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_rms, spectrum_of_dataset
 from hardcontact.surfaces.synthesis import SIDES
-from hardcontact.theory import closed_form as closed
-from hardcontact.theory.closed_form import closed_form, filtered_spectrum
+from hardcontact.theory.closed_form import closed_form, critical_band, filtered_spectrum
 
 pytestmark = pytest.mark.study
 
@@ -46,7 +45,7 @@ def random_spectrum(rng):
 
 
 def scan_surface(rng, spectrum, has_line):
-    """Return a map of 10 µm and perhaps a line of 228 nm, calibrated to ten per cent."""
+    """Return a map of 10 µm and perhaps a line of 228 nm, their heights wrong by some 10 %."""
     scans = [random_map(rng, 256, 40.0, spectrum)]
     if has_line:
         scans.append(random_line(rng, 76, 3.0, spectrum))
@@ -76,12 +75,12 @@ def log_quantities(spectrum, true_band):
 
 def test_intervals_contain_spectrum_force_and_edges_of_known_surfaces(monkeypatch):
     """An interval contains an edge if the interval of the force ratio there contains the ratio."""
-    monkeypatch.setattr(closed, "CUTOFF_COUNT", 8)
+    monkeypatch.setattr("hardcontact.theory.closed_form.CUTOFF_COUNT", 8)
     contained, true_forces, force_half_widths = [], [], []
     for number, has_line in product(range(SURFACE_COUNT // 2), (0, 1)):
         rng = generator(31, number, has_line)
         spectrum = random_spectrum(rng)
-        true_band = closed.critical_band(spectrum, CONTACT, 0.1)
+        true_band = critical_band(spectrum, CONTACT, 0.1)
         true_logs = log_quantities(spectrum, true_band)
         scans = scan_surface(rng, spectrum, has_line)
         radii = TIP_RADII[: len(scans)]
@@ -92,7 +91,7 @@ def test_intervals_contain_spectrum_force_and_edges_of_known_surfaces(monkeypatc
             log_quantities(sampled_spectrum, true_band) - measured_logs
             for sampled_spectrum, _ in sample_spectra(rngs, scans, radii)
         ]
-        # As for the user's surfaces.
+        # Studies of the user's surfaces compute intervals in this way.
         t_quantile = stats.t.ppf(0.975, SAMPLE_COUNT)
         half_width = t_quantile * np.sqrt(np.mean(np.square(shifts), axis=0))
         is_contained = np.abs(measured_logs - true_logs) <= half_width

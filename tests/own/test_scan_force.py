@@ -37,7 +37,7 @@ def few_contacts_and_cutoffs():
 
 
 def heights_of(kind):
-    """Heights (y, x) in nm of 4 nm rms: Gaussian, flat with pits, or flat with peaks."""
+    """Heights (y, x) of some 4 nm rms: Gaussian, flat with pits, or flat with peaks."""
     waves = random_map(
         generator(3), PIXELS, PIXEL_SIZE, self_affine_spectrum(rms=17, rolloff=500)
     ).heights
@@ -61,65 +61,66 @@ def direct_forces(scan):
     return [direct_force(gap, touching, CONTACT.rho, scan.pixel_size, CONTACT.work) for gap in gaps]
 
 
-def predicted(tmp_path, heights, *options):
-    """The lines and the numbers of the command for a map."""
+def predict_map(tmp_path, heights, *options):
+    """The report and the numbers of the command for a map."""
     path = tmp_path / "scan.nc"
     scan_files.write_scan(path, heights.T, (PIXELS * PIXEL_SIZE,) * 2)
-    numbers = tmp_path / "numbers.json"
-    words = predict_text(str(path), "--json", str(numbers), "--overwrite", *options)
-    return words, json.loads(numbers.read_text())
+    json_path = tmp_path / "numbers.json"
+    report = predict_text(str(path), "--json", str(json_path), "--overwrite", *options)
+    return report, json.loads(json_path.read_text())
 
 
 @pytest.fixture(scope="module")
 def predictions(tmp_path_factory):
-    """The lines and the numbers of the command for each kind of heights."""
+    """The report and the numbers of the command for each kind of heights."""
     return {
-        kind: predicted(tmp_path_factory.mktemp(kind), heights_of(kind), "--verbose")
+        kind: predict_map(tmp_path_factory.mktemp(kind), heights_of(kind), "--verbose")
         for kind in ("gaussian", "pits", "peaks")
     }
 
 
 @pytest.mark.parametrize("kind", ["gaussian", "pits", "peaks"])
 def test_the_force_on_a_map_is_the_sum_over_its_pixels(kind, predictions):
-    words, numbers = predictions[kind]
+    report, numbers = predictions[kind]
     forces = direct_forces(level_plane(hc.HeightMap(heights_of(kind), PIXEL_SIZE)))
     force = np.mean(forces)
     log_force_std = numbers["log_force_std"]["value"]
     assert log_force_std == pytest.approx(np.log(forces).std(), rel=1e-2)
-    assert f"ln F of single contacts has a standard deviation of {log_force_std:.2g}" in words
+    assert f"ln F of single contacts has a standard deviation of {log_force_std:.2g}" in report
     assert numbers["force_on_scan"]["value"] == pytest.approx(force, rel=1e-3)
     share = force / numbers["smooth_force"]["value"]
     assert numbers["force_on_scan_over_smooth"]["value"] == pytest.approx(share, rel=1e-3)
     if "interval" in numbers["force_on_scan"]:
         low, high = numbers["force_on_scan"]["interval"]
         assert low < force < high
-    assert words.splitlines()[0].startswith("pull-off force, on the scan: ")
+    assert report.splitlines()[0].startswith("pull-off force, on the scan: ")
 
 
 @pytest.mark.parametrize(("kind", "sign", "fault"), [("pits", -1, "low"), ("peaks", 1, "high")])
 def test_the_closed_form_has_no_number_on_heights_that_are_not_gaussian(
     kind, sign, fault, predictions
 ):
-    words, numbers = predictions[kind]
+    report, numbers = predictions[kind]
     ratio = numbers["closed_form_on_scan"]["value"] / numbers["force_on_scan"]["value"]
     assert ratio**sign > 1.5
     assert numbers["closed_form_on_scan"]["status"] == "not_gaussian"
     names = {"closed_form_on_scan", *scan_force.CLOSED_FORM_NAMES} & numbers.keys()
     assert names and not any("interval" in numbers[name] for name in names)
     assert "found" not in {numbers[name]["status"] for name in names}
-    (line,) = [line for line in words.splitlines() if line.startswith("closed form")]
+    (line,) = [line for line in report.splitlines() if line.startswith("closed form")]
     assert_says(line, "no number: the heights are not", f"times too {fault}")
 
 
 def test_the_closed_form_of_a_gaussian_map_has_its_error(predictions):
-    words, numbers = predictions["gaussian"]
-    form, force = numbers["closed_form_on_scan"], numbers["force_on_scan"]
-    assert form["status"] == "agrees"
-    assert form["interval"][0] < form["value"] < form["interval"][1]
-    assert form["interval"][0] < force["interval"][1] and force["interval"][0] < form["interval"][1]
-    assert_says(words, "closed form, for the spectrum of this scan: ", "pixels 4 times finer")
-    assert_says(words, "a check that assumes Gaussian heights", "quote the force on the scan")
-    assert_says(words, "regime: many")
+    report, numbers = predictions["gaussian"]
+    formula, force = numbers["closed_form_on_scan"], numbers["force_on_scan"]
+    assert formula["status"] == "agrees"
+    low, high = formula["interval"]
+    assert low < formula["value"] < high
+    assert low < force["interval"][1] and force["interval"][0] < high
+    assert_says(report, "closed form, for the spectrum of this scan: ", "pixels 4 times finer")
+    assert_says(report, "a check that assumes Gaussian heights", "quote the force on the scan")
+    assert_says(report, "regime: many")
 
 
 def test_a_smooth_wafer_has_the_force_of_a_rough_sphere(tmp_path, predictions):
@@ -129,8 +130,8 @@ def test_a_smooth_wafer_has_the_force_of_a_rough_sphere(tmp_path, predictions):
     sphere = waves - (position[:, None] ** 2 + position**2) / (2 * CONTACT.radius)
     path = tmp_path / "sphere.nc"
     scan_files.write_scan(path, sphere.T, (PIXELS * PIXEL_SIZE,) * 2)
-    words, numbers = predicted(tmp_path, waves.T / 200, "--sphere", str(path))
-    assert "the position at which the rough sphere touches changes the force" in words
+    report, numbers = predict_map(tmp_path, waves.T / 200, "--sphere", str(path))
+    assert "the position at which the rough sphere touches changes the force" in report
     low, high = numbers["force_on_scan"]["interval"]
     assert low < smooth_numbers["force_on_scan"]["value"] < high
     # The interval is that of one position of the sphere.

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from measurements import PIXEL, measurement, profile_of, random_line, random_map, uncd_density
+from measurements import PIXEL, measurement, profile_density, random_line, random_map, uncd_density
 from scipy.ndimage import gaussian_filter1d
 
 from hardcontact.base.arrays import generator
@@ -103,5 +103,5 @@ def test_converted_power_laws_match_the_closed_form(hurst):
     [(two_slopes, 0.02), (uncd_density, 0.07), (rolloff_with_finer_roughness, 0.11)],
 )
 def test_bent_spectra_are_recovered_from_their_profiles(density, tolerance):
-    converted = isotropic_from_profile(BINS, profile_of(density, BINS), MANY_MODES)
+    converted = isotropic_from_profile(BINS, profile_density(density, BINS), MANY_MODES)
     np.testing.assert_allclose(converted / density(BINS), 1, atol=tolerance)

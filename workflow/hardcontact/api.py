@@ -434,8 +434,8 @@ def predict(
         For a map there are also
 
         - ``force_on_scan``, the mean force over contacts, summed over the pixels, and
-          ``force_on_scan_over_smooth``. The force has no value if the map is too large, or if `rho`
-          is below ``shortest_range``. Then the other numbers of this list are missing.
+          ``force_on_scan_over_smooth``. It has no value if its sum would take too long, or if
+          `rho` is below ``shortest_range``. Then the other numbers of this list are missing.
         - ``log_force_std``, the standard deviation of ln F over contacts.
         - ``closed_form_on_scan``, the force in closed form for all waves of the map. Unless its
           status is ``"agrees"``, no number of the closed form has an interval.
