@@ -16,7 +16,7 @@ PIXEL = 2500 / 512  # nm, of the paper's scans
 
 
 def uncd_density(q):
-    """Return C_iso (nm⁴) at wavevectors in rad/nm, as in the first row of uncd-measured.csv."""
+    """Return C_iso (nm⁴) at q in rad/nm: the first row of resources/spectra/uncd-measured.csv."""
     return 6.1e7 * (1 + (q * 930.0 / (2 * np.pi)) ** 2) ** -1.84
 
 
@@ -60,7 +60,7 @@ def self_affine_heights(rng, pixels, pixel_size, rms_height, hurst=0.8, rolloff=
 def random_line(rng, points, spacing, spectrum=uncd_density, **stated):
     """Return a line scan, cut out of a random profile of four times its length.
 
-    The profile is a sum of waves of random phases with the C_1D of the surface.
+    The profile is a sum of waves of random amplitudes and phases with the C_1D of the surface.
     """
     count, length = 4 * points, 4 * points * spacing
     density = periodic_profile_density(spectrum, count, spacing)

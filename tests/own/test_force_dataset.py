@@ -130,7 +130,7 @@ def test_forces_are_bounded_by_that_of_a_smooth_sphere():
         {"extrapolated_force": ("side", [1e-9, 1.0])}, {"side": ["short", "long"]}
     ).assign(extrapolated_force_interval=("side", [1e-9, 1.0]))
     bounded = bound_by_smooth_sphere(scan_forces.merge(extrapolated_forces), 400.0)
-    rigid = 2 * np.pi * 5e-6 * 0.05
+    rigid = 2 * np.pi * 5e-6 * 0.05  # 2 pi R W, to which an area in contact adds W A / rho
     bound = xr.DataArray(
         [[rigid] * 3, [rigid + 0.05 * 4e-16 / (1e-9 * rho) for rho in RHOS]],
         dims=("contact_model", "rho"),

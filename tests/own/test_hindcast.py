@@ -147,7 +147,7 @@ def test_wide_pixels_have_the_mean_heights_of_their_blocks():
 
 
 def test_wide_pixels_hide_summits():
-    """They raise the force on a rough map or under a rough sphere; on flat maps it stays."""
+    """Wide pixels raise the force if the map or the sphere is rough."""
     flat = mirror_scan(replace(SCAN, heights=SCAN.heights * 0))
     rough = mirror_scan(SCAN)
     wide_pixel_ratios = []

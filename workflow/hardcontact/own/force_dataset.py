@@ -85,6 +85,7 @@ def _force_variables(
         *dimensions, "quantile"
     )
     log_force_std = np.array([model_forces.log_force_std for model_forces in forces_by_model])
+    # All contact models have the same parts.
     scan_parts = forces_by_model[0].scan_parts[np.abs(forces.rho.values - rho).argmin()]
     variables = as_variables("force", dimensions, mean, np.array(intervals), NEWTON, confidence)
     half_widths = [
@@ -118,6 +119,7 @@ def find_extrapolated_forces(
     """
 
     def summary(master_forces: MasterForces) -> xr.Dataset:
+        """Return the extrapolated force of one surface and side."""
         force = work * master_forces.forces.unfiltered_pull_off_force.mean().values
         half_width = half_width_over_masters(
             master_forces,

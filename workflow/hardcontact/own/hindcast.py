@@ -48,8 +48,8 @@ def outermost_octaves(
 ) -> dict[str, Octave | None]:
     """Return by side the outermost octave of the reliable wavelengths that masters take from scans.
 
-    Masters have artificial roughness beyond the transition (nm) of a side. Its octave is None if
-    the reliable wavelengths on the other side of the transition do not contain a whole one.
+    Masters have artificial roughness beyond the transition (nm) of a side. An octave is None if
+    these reliable wavelengths are less than an octave.
     """
     used_measurements = measurements.where(measurements["reliable"].any("bin_wavevector"))
     shortest = float(used_measurements["shortest_reliable"].min())
