@@ -27,7 +27,7 @@ GAUSSIAN = full_band(gaussian_spectrum(rms=4, length=100))
 
 
 def test_a_gaussian_autocorrelation_has_known_moments():
-    # Sums over forty wavevectors per decade miss integrals by a few thousandths.
+    # A spectrum at forty wavevectors per decade misses integrals by a few thousandths.
     spectrum = GAUSSIAN
     assert spectral_moment(spectrum, 0) == pytest.approx(16, rel=0.005)
     assert spectral_moment(spectrum, 2) == pytest.approx(2 * (4 / 100) ** 2, rel=0.005)
@@ -56,8 +56,8 @@ def test_short_waves_of_small_height_make_no_summits():
     long = 2 * np.pi * (4 * 100) ** 2 * np.exp(-((q * 100) ** 2) / 2)
     short = np.where(q > 2 * np.pi / 3, 2 * np.pi * 0.1**2 / np.pi / (q[-1] / 3) ** 2, 0)
     all_waves = full_band(Spectrum(q, long + short))
-    long_waves = full_band(Spectrum(q, long + 1e-9))
-    # Short waves of 0.1 nm make slopes, and so maxima.
+    long_waves = full_band(Spectrum(q, long + 1e-9))  # 1e-9: to keep the band
+    # Short waves of some 0.1 nm make slopes, and so maxima.
     assert spectral_moment(all_waves, 2) > 1.5 * spectral_moment(long_waves, 2)
     assert summits.summit_half_width(all_waves, [3.5]) == pytest.approx(
         summits.summit_half_width(long_waves, [3.5]), rel=0.01
@@ -118,7 +118,7 @@ def test_a_sphere_follows_long_waves_of_small_curvature():
     followed_spectrum = spectrum_between(spectrum, 0, rough_spectrum.wavevector[0])
     curvature = np.sqrt(spectral_moment(followed_spectrum, 4)) / 2
     assert curvature == pytest.approx(0.1 / RADIUS, rel=0.01)
-    assert summits.find_rough_spectrum(spectrum, 1.0) is None
+    assert summits.find_rough_spectrum(spectrum, 1.0) is None  # a tiny sphere follows all waves
     smooth = Spectrum(spectrum.wavevector, 0 * spectrum.density)
     assert summits.find_rough_spectrum(smooth, RADIUS) is None
 

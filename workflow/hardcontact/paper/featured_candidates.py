@@ -130,8 +130,8 @@ def _candidate_statistics(
     contact_forces = forces.stack(contact=("scan", *CONTACT_AXES)).transpose("candidate", "contact")
     mean = contact_forces.values.mean(axis=1)
     median = np.median(contact_forces, axis=1)
-    factors = np.array([mean / targets["mean_force"], median / targets["median_force"]])
-    agrees = (np.abs(np.log(factors)) <= np.log(MAX_FORCE_FACTOR)).all(axis=0)
+    force_ratios = np.array([mean / targets["mean_force"], median / targets["median_force"]])
+    agrees = (np.abs(np.log(force_ratios)) <= np.log(MAX_FORCE_FACTOR)).all(axis=0)
     values = (mean, median, np.log(contact_forces.values).std(axis=1), agrees.astype(float))
     statistics = {
         name: ("candidate", value, unit)

@@ -46,6 +46,7 @@ def sample_range_and_work(
     best_log_works = np.average(log_works, axis=1, weights=precision)
     residuals = log_works - best_log_works[:, None]
     misfit = (residuals**2 * precision[:, None]).sum(axis=1)
+    # The probability of a replicate and range, integrated over the work.
     weights = np.exp((misfit.min() - misfit) / 2).ravel()
     flat_index = rng.choice(weights.size, count, p=weights / weights.sum())
     work_deviation = 1 / np.sqrt(precision.sum())
@@ -92,10 +93,10 @@ def posterior_dataset(
         samples = means.isel(sample=slice(1, None)).rename(sample="replicate")
         forces["whole surfaces"] = samples * sets["sphere_factor"].sel(rho=samples["rho"])
     posteriors = {}
-    for name, mean_forces in forces.items():
+    for forces_on, mean_forces in forces.items():
         for left_out in (NONE_LEFT_OUT, *mean_forces["surface"].values.tolist()):
             other_forces = mean_forces.drop_sel(surface=left_out, errors="ignore")
-            posteriors[name, left_out] = posterior_of_forces(other_forces, published, sampling)
+            posteriors[forces_on, left_out] = posterior_of_forces(other_forces, published, sampling)
     # Claims about all surfaces take the names of surfaces from the coordinate.
     result = stack(posteriors, ["forces_on", "left_out"]).assign_coords(surface=sets["surface"])
     return result.assign_attrs(confidence=sampling.confidence)
