@@ -10,21 +10,22 @@ from importlib.resources import files
 
 import pytest
 
-NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
-BROWSER = next(filter(None, map(shutil.which, NAMES)), None)
+BROWSER_NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
+BROWSER = next(filter(None, map(shutil.which, BROWSER_NAMES)), None)
 OPTIONS = [
     "--headless", "--hide-scrollbars", "--disable-gpu", "--disable-quic", "--no-first-run",
     "--disable-background-networking", "--disable-component-update", "--disable-sync",
     "--host-resolver-rules=MAP * ~NOTFOUND", "--virtual-time-budget=3000", "--dump-dom",
 ]  # fmt: skip
 needs_browser = pytest.mark.skipif(BROWSER is None, reason="no browser is installed")
-#: Pixels of a phone and of a desk.
+#: Widths of the screens of a phone and a desktop, and the height of the phone's, in pixels.
 WIDTHS = (390, 1200)
 HEIGHT = 844
-#: Schemes of colours as the browser counts them.
+#: Schemes of colours; the browser's setting `preferredColorScheme` is an index of them.
 SCHEMES = ("dark", "light")
 
-#: Measures each frame when all are loaded, and leaves the measures in the document.
+#: Measures the page in each frame when all are loaded, and leaves the measures, lengths in pixels,
+#: in the document.
 PROBE = """<script>onload = () => { document.body.dataset.shown = JSON.stringify(
   [...document.querySelectorAll("iframe")].map(frame => {
     const page = frame.contentDocument, root = page.documentElement, images = [...page.images]
@@ -35,14 +36,14 @@ PROBE = """<script>onload = () => { document.body.dataset.shown = JSON.stringify
       overflow: root.scrollWidth - root.clientWidth,
       pictures: images.length,
       loaded: images.filter(image => image.complete && image.naturalWidth).length,
-      smallest: Math.min(...texts.map(text => parseFloat(getComputedStyle(text).fontSize))),
+      smallestFont: Math.min(...texts.map(text => parseFloat(getComputedStyle(text).fontSize))),
       requests: frame.contentWindow.performance.getEntriesByType("resource")
         .filter(entry => !entry.name.startsWith("data:")).length,
     }})) }</script>"""
 
 
 def measure_pages(pages, folder):
-    """Open each page at each of WIDTHS (pixels) and return the measures, lengths in pixels."""
+    """Open each page at each of WIDTHS, and return the measures of PROBE, page by page."""
     frames = "".join(
         f'<iframe width="{width}" height="{HEIGHT}" style="border: 0" srcdoc="{escape(html)}">'
         "</iframe>"
@@ -55,8 +56,8 @@ def measure_pages(pages, folder):
 def run_on_pages(actions, folder):
     """Open pages, act on each in turn by a script, and return the results.
 
-    An action is a page and the body of a function of its `document` and `window`. JSON can hold
-    the result.
+    An action is a page and a script: the body of a function of the page's `document` and `window`
+    that returns something for JSON.
     """
     pages = "".join(
         f'<iframe width="{WIDTHS[-1]}" height="{HEIGHT}" srcdoc="{escape(html)}"></iframe>'
@@ -74,9 +75,10 @@ def run_on_pages(actions, folder):
 
 
 def audit_page(html, folder, scheme):
-    """Return what axe finds at a page with nothing folded, in the scheme of colours `SCHEMES`.
+    """Return what axe finds at a page with nothing folded, in one of SCHEMES.
 
-    The result says whether the scheme is dark, how many rules are kept, and the faults.
+    The result has `dark`, whether the scheme is dark, the number of `passes`, rules that the page
+    meets, and its `faults`.
     """
     axe = (files("axe_playwright_python") / "axe.min.js").read_text("utf-8")
     act = """<script>onload = async () => {
@@ -84,7 +86,7 @@ def audit_page(html, folder, scheme):
       const {passes, violations} = await axe.run();
       const dark = matchMedia("(prefers-color-scheme: dark)").matches;
       const faults = violations.map(fault => [fault.id, fault.nodes.map(node => node.html)]);
-      const result = {dark, kept: passes.length, faults};
+      const result = {dark, passes: passes.length, faults};
       document.body.dataset.shown = JSON.stringify(result); }</script>"""
     # The policy of a page forbids other scripts than its own.
     page = re.sub("<meta http-equiv.*?>", "", html)
@@ -103,7 +105,7 @@ def _result_of_script(document, folder, *options):
     """Return the result that a script of a document leaves in it."""
     probe = folder / "probe.html"
     probe.write_text(document, "utf-8")
-    root_options = ["--no-sandbox"] if os.geteuid() == 0 else []  # which the browser asks of root
+    root_options = ["--no-sandbox"] if os.geteuid() == 0 else []  # root needs it
     command = [BROWSER, *OPTIONS, *options, *root_options, f"--user-data-dir={folder / 'profile'}"]
     run = subprocess.run(
         [*command, probe.as_uri()], capture_output=True, text=True, timeout=120, check=True

@@ -11,9 +11,11 @@ from hardcontact.report.paper_study.answer import FORCE_UNITS
 from hardcontact.report.study_comparison import ComparedNumber, add_paired_intervals, pairing
 from hardcontact.surfaces.metrics import TABLE1_METRICS
 
+#: Number of sets: so many that the quantiles of a normal distribution are met to 0.05 %.
 SETS = 20_000
+#: Standard deviation of the logarithm of the change over sets.
 SCATTER = 0.01
-#: What decides which scans and masters a set has, and two settings.
+#: Parameters of sets.nc: all but `loading` and `tolerance` decide which scans and masters it has.
 PARAMETERS = {
     "pool_chunks": [["uncd", 1, 15]], "candidate_chunks": [],
     "master_surfaces": ["uncd"], "master_pool_size": 20, "loading": "H25GPa-F10uN",
@@ -24,10 +26,10 @@ PARAMETERS = {
 def study(factor=1.0, scatter=0.0, rms=11.0, **settings):
     """A study of one coating, whose numbers scatter over sets of scans that all studies share.
 
-    They are multiplied by a factor that has a log-normal scatter of its own.
+    The numbers are multiplied by a factor, whose logarithm scatters, too, but in this study alone.
     """
-    shared, own = np.random.default_rng(1).standard_normal((2, SETS))
-    numbers = factor * np.exp(0.3 * shared + scatter * own)
+    shared, unshared = np.random.default_rng(1).standard_normal((2, SETS))
+    numbers = factor * np.exp(0.3 * shared + scatter * unshared)
     fits = (("set", "contact_model"), np.stack([numbers, numbers], axis=1))
     edges = (("set", "side", "group"), np.tile(numbers[:, None, None], (1, 2, 1)))
     sets = xr.Dataset(
@@ -60,8 +62,8 @@ def study(factor=1.0, scatter=0.0, rms=11.0, **settings):
     }
 
 
-def compared(factor):
-    """Numbers whose intervals overlap; sets have no octaves."""
+def compared_numbers(factor):
+    """Numbers that change by a factor within their intervals; sets lack the first, an octave."""
     names = [
         ("", "octave_1"), ("", "short_edge"), ("", "bumps_mean_force"), ("UNCD", "long_edge"),
         ("UNCD", "mean_force"),
@@ -77,7 +79,7 @@ def test_shared_scatter_cancels_from_the_change():
     # Another tolerance leaves the scans of the sets the same.
     first, second = study(), study(1.05, SCATTER, tolerance=0.2)
     assert pairing(first, second) == "paired"
-    numbers = add_paired_intervals(compared(1.05), first, second)
+    numbers = add_paired_intervals(compared_numbers(1.05), first, second)
     assert [number.agreement for number in numbers] == ["same"] + ["changed"] * 4
     ends = 1.05 * np.exp(1.96 * SCATTER * np.array([-1, 1]))
     for number in numbers[1:]:

@@ -38,7 +38,7 @@ def test_the_answer_follows_its_schema_and_has_the_numbers_of_the_claims():
         assert rows["", name]["low"] == (None if np.isnan(low) else low)
     for surface in SUBSTRATES:
         edge = rows[surface, "short_edge"]
-        # Nine tenths of the sets, whose edges are spread evenly from 0.9 to 1.3 times that value.
+        # The central 90 % of the edges of sets, which lie evenly from 0.9 to 1.3 times 60 nm.
         assert [edge["value"], edge["low"], edge["high"]] == pytest.approx([60, 55.2, 76.8])
 
 
@@ -81,11 +81,11 @@ def test_an_edge_at_wavelengths_of_artificial_roughness_says_so():
         filtered_forces = datasets()["filtered_forces"].assign(transition=("side", [short, long]))
         rows = change_claim("short_edge_first", computed=50.0)
         rows.loc[rows["id"] == ANSWER_CLAIMS["long_edge_first"], "computed"] = 2000.0
-        artificial_answer = answer(rows, filtered_forces=filtered_forces)
-        numbers = numbers_of_answer(artificial_answer)
+        content = answer(rows, filtered_forces=filtered_forces)
+        numbers = numbers_of_answer(content)
         names = ("short_edge_first", "long_edge_first", "plasticity_shift", "range_shift")
         sources[short] = [numbers[name].source for name in names]
-        mcd = numbers_of_answer(artificial_answer, "mcd")
+        mcd = numbers_of_answer(content, "mcd")
         assert mcd["short_edge"].source == sources[short][0]
     assert sources == {20.0: ["computed"] * 4, 80.0: ["artificial"] * 4}
 
@@ -115,21 +115,23 @@ def test_the_headline_names_the_coatings_with_the_outermost_edges():
 
 @pytest.mark.parametrize(("published", "nearer"), [(1.8, "bumps"), (0.3, "pits")])
 def test_features_are_those_with_the_nearer_scatter(published, nearer):
+    """The scatter of ln F is 1.9 with bumps and 0.25 with pits."""
     features = datasets()["features"].assign_attrs(published_log_force_std=published)
     assert f"{nearer} come closer to it" in answer(features=features)["notes"][-1]["text"]
 
 
 def test_the_small_scan_ratio_is_that_of_scans_of_the_same_size():
-    data = scan_size()
+    forces = scan_size()
     labels = {"surface": "mcd", "map_size": 2500.0}
-    data["force_over_largest"].loc[labels] = 2.24
-    data["force_over_largest_interval"].loc[labels] = [1.48, 3.39]
-    force = Number("small_scan_ratio", 2.24, "1", 1.48, 3.39)
-    assert numbers_of_answer(answer(scan_size=data), "mcd")["small_scan_ratio"] == force
+    forces["force_over_largest"].loc[labels] = 2.24
+    forces["force_over_largest_interval"].loc[labels] = [1.48, 3.39]
+    ratio = Number("small_scan_ratio", 2.24, "1", 1.48, 3.39)
+    assert numbers_of_answer(answer(scan_size=forces), "mcd")["small_scan_ratio"] == ratio
 
 
 def test_table_1_compares_values_and_marks_those_by_construction():
     rows = table1_rows(topography(), published_table1())
+    # Height has two rows and slope three, so that curvature begins with the sixth.
     height, curvature = rows[0], rows[5:8]
     assert height[0] == "AFM scans: rms height (nm), published" and height[4] == "107.1 ± 12.0"
     assert [row[3].split()[0] for row in curvature] == ["39", "39.0", "78.0"]
@@ -137,9 +139,10 @@ def test_table_1_compares_values_and_marks_those_by_construction():
     assert marked == ["computed", "computed, gradient", "computed, half the Laplacian"]
 
 
-def test_forces_on_features_are_medians_over_samples():
+def test_forces_on_features_are_medians_over_candidates():
     numbers = numbers_of_answer(answer())
     number = numbers["bumps_mean_force"]
+    # Two candidates have 8 µN and 20 µN; one of them agrees.
     assert number.value == pytest.approx(14e-6)
     assert 8e-6 < number.low < number.value < number.high < 20e-6
     assert numbers["bumps_candidates_that_agree"].value == 0.5

@@ -1,4 +1,4 @@
-"""Pages of the report are complete, and texts are escaped."""
+"""Pages of claims and of chapters are complete, and their texts are escaped."""
 
 import re
 
@@ -27,13 +27,13 @@ def three_claims(**values):
 
 
 def make_pages(table=None, changed=(), **texts):
-    """The pages."""
+    """The pages of claims, by default three, of chapters by name, and of parameters."""
     configuration = PAPER | {"intervals": {"confidence": 0.8}}
     table = three_claims() if table is None else table
     return report_pages(table, changed, texts, configuration, {"numpy": "1", "a<b": "1<2"}, FRAME)
 
 
-SETS = 100, 0.95  # number and confidence
+SETS_AND_CONFIDENCE = 100, 0.95
 
 
 @pytest.mark.parametrize(
@@ -52,7 +52,9 @@ SETS = 100, 0.95  # number and confidence
     ],
 )
 def test_a_claim_is_printed_with_its_number_its_limits_and_its_kind(values, printed):
-    row = claim_facts(three_claims(**values), *SETS)["claims"]["afm_rms_height_polished_uncd"]
+    row = claim_facts(three_claims(**values), *SETS_AND_CONFIDENCE)["claims"][
+        "afm_rms_height_polished_uncd"
+    ]
     assert {name: row[name] for name in printed} == printed
 
 
@@ -67,7 +69,7 @@ def test_a_claim_is_printed_with_its_number_its_limits_and_its_kind(values, prin
     ],
 )
 def test_facts_count_independent_statements_reproduced_without_scans(values, count):
-    assert claim_facts(three_claims(**values), *SETS)["without_scan"] == count
+    assert claim_facts(three_claims(**values), *SETS_AND_CONFIDENCE)["without_scan"] == count
 
 
 KINDS = ["independent", "follows", "by construction"]
@@ -78,7 +80,7 @@ def test_the_page_of_claims_has_a_row_for_each_and_counts_verdicts():
     page = Page(make_pages(table)["claims"])
     rows = [row for row in page.rows if len(row) == 6 and row[0].strip() != "statement"]
     independent_first = sorted(
-        claim_facts(table, *SETS)["claims"].values(),
+        claim_facts(table, *SETS_AND_CONFIDENCE)["claims"].values(),
         key=lambda row: (VERDICTS.index(row["verdict"]), KINDS.index(row["kind"])),
     )
     for cells, claim in zip(rows, independent_first, strict=True):
