@@ -132,7 +132,7 @@ def test_contacts_that_touch_too_few_patches_give_no_answer():
         touched_patches=("surface", [3.0]),
     )
     conclusion = surface_conclusion(numbers_of(force=few_patches))
-    assert (conclusion.answer, conclusion.band) == ("no", "few_patches")
+    assert (conclusion.answered, conclusion.band_status) == ("no", "few_patches")
 
 
 def conclude(data, wavelengths, force_data=None):
@@ -158,19 +158,19 @@ def conclude(data, wavelengths, force_data=None):
 )
 def test_the_answer_follows_from_the_edges_and_the_scans(data, wavelengths, answer, band):
     conclusion = conclude(data, wavelengths)
-    assert (conclusion.answer, conclusion.band) == (answer, band)
+    assert (conclusion.answered, conclusion.band_status) == (answer, band)
 
 
 def test_scans_that_lack_roughness_answer_in_part_at_most():
     changed_force = scaled_extrapolated_force(short=0.25)
-    assert conclude(edges(), (6, 25e3), changed_force).answer == "partly"
-    assert conclude(edges(), (400, 1000), changed_force).answer == "no"
+    assert conclude(edges(), (6, 25e3), changed_force).answered == "partly"
+    assert conclude(edges(), (400, 1000), changed_force).answered == "no"
 
 
 def test_a_force_with_an_unknown_extrapolation_is_not_in_the_answer():
     unknown = spectra().assign(tail_known=("surface", [0]))
     extrapolated_force = scaled_extrapolated_force(short=0.25)
     partial = surface_conclusion(numbers_of(force=extrapolated_force, spectra=unknown))
-    assert (partial.answer, partial.extrapolated) == ("partly", [])
-    alike = surface_conclusion(numbers_of())
-    assert alike.extrapolated == [] and alike.short_edge.value == 37.0
+    assert (partial.answered, partial.extrapolated_sides) == ("partly", [])
+    plain = surface_conclusion(numbers_of())
+    assert plain.extrapolated_sides == [] and plain.short_edge.value == 37.0

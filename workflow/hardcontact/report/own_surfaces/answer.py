@@ -16,6 +16,7 @@ from hardcontact.report.own_surfaces.datasets import (
     Datasets,
     Setting,
     measurement_name,
+    octave_sphere_share,
     preferred_model,
     select_preferred_model,
     shown_octaves,
@@ -24,7 +25,6 @@ from hardcontact.report.own_surfaces.datasets import (
 )
 from hardcontact.report.quantities import all_quantities, number_of, number_without_value
 from hardcontact.report.templates import render_lines, render_note, substitutes_note
-from hardcontact.scans.both_bodies import sphere_share
 from hardcontact.scans.reliable_band import LIMIT_NAMES, MIN_PIXELS, MIN_WAVES_IN_SIZE, OTHER_BODY
 from hardcontact.surfaces.metrics import METRICS
 
@@ -90,7 +90,7 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
 
 
 def _chosen_inputs(force: xr.Dataset, setting: Setting) -> list[str]:
-    """Return RANGE_NAME if the range is not the paper's, but the shortest of several computed."""
+    """Return RANGE_NAME if the scans set it: the shortest range computed, not the paper's."""
     ranges = force["rho"].values
     is_shortest = len(ranges) > 1 and np.isclose(force.attrs["rho"], ranges.min())
     return [RANGE_NAME] if is_shortest and RANGE_NAME not in setting.assumed else []
@@ -122,51 +122,52 @@ def _surface_answer(
     named_numbers = numbers_by_name(*numbers)
     conclusion = edges.surface_conclusion(named_numbers)
     cautions = answer_cautions(data, named_numbers)
-    new_scans = edges.next_scans(named_numbers, data.spectra)
+    next_scans = edges.next_scans(named_numbers, data.spectra)
     named_numbers |= numbers_by_name(
         *_caution_numbers(cautions),
-        *(scan.limit._replace(name=f"{scan.edge}_{scan.code}_limit") for scan in new_scans),
+        *(scan.limit._replace(name=f"{scan.edge}_{scan.code}_limit") for scan in next_scans),
         *_topography_numbers(data.topography),
         *_measurement_numbers(data.spectra),
     )
     source = str(data.topography["source"].item())
-    return SurfaceAnswer(name, label, source, named_numbers, conclusion, cautions, new_scans)
+    return SurfaceAnswer(name, label, source, named_numbers, conclusion, cautions, next_scans)
 
 
 def _octave_numbers(data: Datasets) -> Iterator[Number]:
     """Yield the strongest octaves of one surface, and a rough sphere's share of their power."""
     for number in strongest_octaves(data.sensitivity.isel(octave=shown_octaves(data))):
         yield number
+        # A number in nm is an octave; its sensitivity follows.
         if number.unit == "nm" and "sphere_share" in data.spectra:
-            # An octave is named by its shortest wavelength; the share is that at its middle.
-            share = sphere_share(data.spectra, np.sqrt(2) * number.value)
+            share = octave_sphere_share(data.spectra, number.value)
             yield Number(f"{number.name}_sphere_share", share)
 
 
 def _study_numbers(datasets: Datasets, setting: Setting) -> list[Number]:
-    """Return the numbers of the whole study: settings and, with measured forces, the fit."""
-    contact, band, fit = datasets.force.attrs, datasets.edges.attrs, datasets.fit
+    """Return the numbers of the whole study: settings, Tabor parameter and the fit, if any."""
+    rho, work = datasets.force.attrs["rho"], datasets.force.attrs["work_of_adhesion"]
     sources: dict[str, NumberSource] = {
         name: "assumed" if name in setting.assumed else "given" for name in (RANGE_NAME, WORK_NAME)
     }
     return [
-        Number("range_of_adhesion", contact["rho"], "nm", source=sources[RANGE_NAME]),
-        Number("work_of_adhesion", contact["work_of_adhesion"], "J m-2", source=sources[WORK_NAME]),
-        Number("tolerance", band["tolerance"], source="given"),
-        Number("confidence", band["confidence"], source="given"),
+        Number("range_of_adhesion", rho, "nm", source=sources[RANGE_NAME]),
+        Number("work_of_adhesion", work, "J m-2", source=sources[WORK_NAME]),
+        Number("tolerance", datasets.edges.attrs["tolerance"], source="given"),
+        Number("confidence", datasets.edges.attrs["confidence"], source="given"),
         stored_tabor_number(datasets.force),
-        *([] if fit is None else forces.fit_numbers(select_preferred_model(fit))),
+        *([] if datasets.fit is None else forces.fit_numbers(select_preferred_model(datasets.fit))),
     ]
 
 
 def _surface_notes(surfaces: list[SurfaceAnswer]) -> Iterator[dict[str, Any]]:
-    """Yield the notes in words on the surfaces: cautions, and measurements to make next."""
-    yield from substitutes_note([row.label for row in surfaces if row.source != "measured"])
+    """Yield the notes on the surfaces: which are substitutes, cautions, measurements to make."""
+    substitutes = [surface.label for surface in surfaces if surface.source != "measured"]
+    yield from substitutes_note(substitutes)
     for surface in surfaces:
         facts: dict[str, Any] = {"label": surface.label, "several": len(surfaces) > 1, **LIMITS}
         for caution in surface.cautions:
-            head = ("caution", caution.code, surface.name, caution.grave)
-            yield render_note("own_caution.txt", *head, caution=caution, **facts)
+            note_head = (caution.code, surface.name, caution.grave)
+            yield render_note("own_caution.txt", "caution", *note_head, caution=caution, **facts)
         for scan in surface.next_scans:
             yield render_note("own_next.txt", "next", scan.code, surface.name, scan=scan, **facts)
 
@@ -180,16 +181,16 @@ def _caution_numbers(surface_cautions: list[Caution]) -> Iterator[Number]:
 
 
 def _topography_numbers(topography: xr.Dataset) -> Iterator[Number]:
-    """Yield the sizes, heights and roughness of the scans of one surface, and of all scales."""
+    """Yield sizes and heights of a scan, and the roughness of each scan and of all scales."""
     for name in ("scan_size", "pixel_size"):
         yield number_of(topography, name, "nm", source="file")
     heights = panels.centred_heights(topography["example_heights"])
     yield number_without_value("heights", float(heights.min()), float(heights.max()), "nm")
     scans = topography.dropna("scan", subset=["rms_height"])
     for index in range(scans.sizes["scan"]):
+        scan = scans.isel(scan=index)
         for name in SHOWN_METRICS:
-            scan, unit = scans.isel(scan=index), METRICS[name][0]
-            yield number_of(scan, name, unit, name=f"scan_{index + 1}_{name}")
+            yield number_of(scan, name, METRICS[name][0], name=f"scan_{index + 1}_{name}")
     for name in SHOWN_METRICS:
         if f"all_scales_{name}" in topography:
             yield number_of(topography, f"all_scales_{name}", METRICS[name][0])
@@ -218,6 +219,6 @@ def _surface_head(surface: SurfaceAnswer, spectra: xr.Dataset) -> dict[str, Any]
         "name": surface.name,
         "label": surface.label,
         "source": surface.source,
-        "answered": surface.conclusion.answer,
+        "answered": surface.conclusion.answered,
         "measurements": measurements,
     }

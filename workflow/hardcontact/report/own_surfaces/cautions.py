@@ -37,7 +37,7 @@ MIN_CONTACT_PIXELS = 10
 MAX_LOPSIDEDNESS = 2.0
 #: Pixels in the shortest wavelength that a scan resolves, by the sampling theorem.
 NYQUIST_PIXELS = 2
-#: Largest ratio of added power to the power in the scans without a caution: a choice.
+#: Largest ratio of extrapolated power to that in the scans without a caution: a choice.
 MAX_POWER_RATIO = 2.0
 #: Codes of defects that change the highest points, and thus the force.
 MISLEADING_DEFECTS = frozenset({"spikes", "equal_lines", "highest"})
@@ -46,6 +46,7 @@ MISLEADING_DEFECTS = frozenset({"spikes", "equal_lines", "highest"})
 class Caution:
     """A caution about the answer of one surface: a code, and the numbers and texts of its sentence.
 
+    A grave one means that the force or the fit may be wrong by more than the tolerance.
     `measurement` is the number of the measurement with a defect, 0 for other cautions.
     """
 
@@ -110,7 +111,7 @@ def _measured_force_cautions(numbers: Mapping[str, Number]) -> Iterator[Caution]
 
 
 def _interval_cautions(force: xr.Dataset, numbers: Mapping[str, Number]) -> Iterator[Caution]:
-    """Yield cautions on the interval of the mean force: bounds, scans, positions on the sphere."""
+    """Yield cautions on the interval of the mean force: bound, scans, position on the sphere."""
     mean = numbers["mean_force"]
     if np.nanmax([mean.value, mean.high]) >= forces_at_range(force)["smooth_bound"].item():
         yield Caution("smooth_bound")
@@ -132,13 +133,13 @@ def _small_window_caution(data: Datasets) -> Iterator[Caution]:
     lowers_answer = answer_share.item() < MIN_WINDOW_SHARE
     # The share falls with the range of adhesion, so that the longest range has the smallest.
     shown_share = answer_share if lowers_answer else shares.sel(rho=shares["rho"].max())
-    first_range = np.nan if lowers_answer else small_shares["rho"].min().item()
+    shortest_low_range = np.nan if lowers_answer else small_shares["rho"].min().item()
     yield Caution(
         "window",
         Number("share", shown_share.item()),
         Number("window", float(data.force.attrs["window"]), "nm"),
         Number("range", shown_share["rho"].item(), "nm"),
-        Number("shortest_low_range", first_range, "nm"),
+        Number("shortest_low_range", shortest_low_range, "nm"),
         grave=answer_share.item() < 1 - data.edges.attrs["tolerance"],
     )
 
@@ -169,7 +170,9 @@ def _few_pixels_caution(force: xr.Dataset) -> Iterator[Caution]:
 
 def _hindcast_cautions(data: Datasets) -> Iterator[Caution]:
     """Yield a caution with the hindcast ratio of each side, grave if the hindcast fails."""
-    for side in SIDES if "hindcast_ratio" in data.force else ():
+    if "hindcast_ratio" not in data.force:
+        return
+    for side in SIDES:
         force = data.force.sel(side=side)
         ratio = number_of(force, "hindcast_ratio", name="ratio")
         fails = fails_hindcast(data, side)
@@ -184,14 +187,15 @@ def _blind_scans_caution(data: Datasets) -> Iterator[Caution]:
     makes_contacts = (scans["kind"].values.astype(str) == "map") & np.isclose(
         scans["pixel_size"].values ** 2, data.force["pixel_area"].item()
     )
-    is_reliable = (scans["reliable"].values == 1).any(axis=1)
+    # Where the other body is rougher, a map need not be reliable.
     makes_contacts &= scans["limited_by"].values.astype(str) != OTHER_BODY
+    is_reliable = (scans["reliable"].values == 1).any(axis=1)
     if makes_contacts.any() and not is_reliable[makes_contacts].any():
         yield Caution("blind_scans", grave=True)
 
 
 def _defect_cautions(spectra: xr.Dataset, *, grave: bool) -> Iterator[Caution]:
-    """Yield a caution for each defect of the measurements, of MISLEADING_DEFECTS if grave."""
+    """Yield a caution for each defect in MISLEADING_DEFECTS if grave, else for each other."""
     for index, scan in enumerate(split_measurements(spectra), start=1):
         for code, units in DEFECTS.items():
             values = {name: scan[name].item() for name in units}
@@ -203,11 +207,12 @@ def _defect_cautions(spectra: xr.Dataset, *, grave: bool) -> Iterator[Caution]:
 
 
 def _scan_cautions(spectra: xr.Dataset) -> Iterator[Caution]:
-    """Yield cautions from reading each file, and on scans of an area that an earlier scan shows."""
+    """Yield the cautions in the notes of each file, and on scans that repeat an earlier scan."""
     for scan in split_measurements(spectra):
         name = measurement_name(scan)
-        for line in split_notes(str(scan["notes"].item()).splitlines())[1]:
-            yield Caution("reading", scan=name, sentence=line)
+        _, sentences = split_notes(str(scan["notes"].item()).splitlines())
+        for sentence in sentences:
+            yield Caution("reading", scan=name, sentence=sentence)
         if earlier := str(scan["earlier_scan"].item()):
             yield Caution("repeated_scan", grave=True, scan=name, earlier=earlier)
 
@@ -233,20 +238,20 @@ def _contradiction_caution(spectra: xr.Dataset) -> Iterator[Caution]:
 
 
 def _excess_roughness_caution(spectra: xr.Dataset) -> Iterator[Caution]:
-    """Yield a caution if added roughness far exceeds that in the scans, which may be smoothed."""
+    """Yield a caution if extrapolated roughness far exceeds that in the scans, perhaps smoothed."""
     q = spectra["bin_wavevector"].values
     wavelength = 2 * np.pi / q
     scans = drop_padding(spectra)
     is_resolved = wavelength >= NYQUIST_PIXELS * scans["pixel_size"].values[:, None]
     densities = np.where(is_resolved & np.isfinite(scans["psd"].values), scans["psd"].values, 0.0)
     scan_density = densities.max(axis=0, initial=0.0)
-    added_density = np.interp(q, spectra["wavevector"].values, spectra["spectrum"].values)
-    is_added = wavelength < spectra["shortest_measured"].item()
-    is_excess = is_added & (scan_density > 0) & (added_density > MAX_POWER_RATIO * scan_density)
+    used_density = np.interp(q, spectra["wavevector"].values, spectra["spectrum"].values)
+    is_short = wavelength < spectra["shortest_measured"].item()
+    is_excess = is_short & (scan_density > 0) & (used_density > MAX_POWER_RATIO * scan_density)
     if not is_excess.any():
         return
     shortest, longest = wavelength[is_excess].min(), wavelength[is_excess].max()
-    factor = (added_density[is_excess] / scan_density[is_excess]).max()
+    factor = (used_density[is_excess] / scan_density[is_excess]).max()
     band = number_without_value("band", float(shortest), float(longest), "nm")
     yield Caution("more_than_measured", band, Number("factor", float(factor)))
 

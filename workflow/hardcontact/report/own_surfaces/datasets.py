@@ -8,6 +8,7 @@ import xarray as xr
 
 from hardcontact.base.number import Number
 from hardcontact.contact.contact import PLASTIC
+from hardcontact.scans.both_bodies import sphere_share
 
 #: Kinds of measurement. Surfaces with fewer measurements than others have padding without a kind.
 MEASUREMENT_KINDS = ("map", "line scan", "description")
@@ -33,10 +34,10 @@ class Datasets(NamedTuple):
     def labels(self) -> dict[str, str]:
         """Return the printed name of each surface of edges.nc, with a mark on substitutes."""
         topography = self.topography.sel(surface=self.edges["surface"])
-        names = (topography[name].values for name in ("surface", "label", "source"))
+        columns = (topography[name].values for name in ("surface", "label", "source"))
         return {
             str(surface): f"{label} (substitute)" if source == "substitute" else str(label)
-            for surface, label, source in zip(*names, strict=True)
+            for surface, label, source in zip(*columns, strict=True)
         }
 
 
@@ -61,7 +62,7 @@ def preferred_model(force: xr.Dataset) -> str:
 
 
 def stored_tabor_number(force: xr.Dataset) -> Number:
-    """Return the Tabor parameter of the contacts, with their `Elasticity` as its status."""
+    """Return the Tabor parameter of the contacts, with the bodies' `Elasticity` as its status."""
     return Number("tabor_parameter", force.attrs["tabor_parameter"], status=force.attrs["bodies"])
 
 
@@ -96,9 +97,8 @@ def measurement_name(measurement: xr.Dataset) -> str:
 
 def split_measurements(spectra: xr.Dataset) -> list[xr.Dataset]:
     """Return a dataset for each measurement of one surface."""
-    measurements = drop_padding(spectra)
-    count = measurements.sizes["measurement"]
-    return [measurements.isel(measurement=index) for index in range(count)]
+    scans = drop_padding(spectra)
+    return [scans.isel(measurement=index) for index in range(scans.sizes["measurement"])]
 
 
 def unreliable_bands(spectra: xr.Dataset) -> list[tuple[float, float]]:
@@ -109,12 +109,12 @@ def unreliable_bands(spectra: xr.Dataset) -> list[tuple[float, float]]:
     scans = drop_padding(spectra)
     scans = scans.isel(measurement=(scans["reliable"].values == 1).any(axis=1))
     ends = (scans[name].values.tolist() for name in ("shortest_reliable", "longest_reliable"))
-    longest_covered = float(spectra["shortest_measured"])
-    bands = [(0.0, longest_covered)]
+    covered_up_to = float(spectra["shortest_measured"])
+    bands = [(0.0, covered_up_to)]
     for shortest, longest in sorted(zip(*ends, strict=True)):
-        if shortest > longest_covered:
-            bands.append((longest_covered, shortest))
-        longest_covered = max(longest_covered, longest)
+        if shortest > covered_up_to:
+            bands.append((covered_up_to, shortest))
+        covered_up_to = max(covered_up_to, longest)
     return [*bands, (float(spectra["longest_measured"]), np.inf)]
 
 
@@ -123,9 +123,16 @@ def overlaps_any(low: float, high: float, bands: Iterable[tuple[float, float]]) 
     return any(shortest < high and low < longest for shortest, longest in bands)
 
 
+def octave_sphere_share(spectra: xr.Dataset, octave: float) -> float:
+    """Return the sphere's share of the power at the middle of an octave; NaN for a smooth sphere.
+
+    `octave` is the shortest wavelength (nm) of the octave.
+    """
+    return sphere_share(spectra, np.sqrt(2) * octave)
+
+
 def shown_octaves(data: Datasets) -> np.ndarray:
     """Return a mask (octave,) of the octaves at whose middle a scan of one surface is reliable."""
-    # `octave` is the shortest wavelength of each octave.
     middles = np.sqrt(2) * data.sensitivity["octave"].values
     bands = unreliable_bands(data.spectra)
     hidden = [(shortest < middles) & (middles < longest) for shortest, longest in bands]

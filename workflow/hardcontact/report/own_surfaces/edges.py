@@ -21,25 +21,25 @@ from hardcontact.scans.both_bodies import sphere_share
 from hardcontact.scans.reliable_band import MIN_PIXELS
 from hardcontact.surfaces.synthesis import SIDES
 
-#: Smallest share of a change that counts as the whole change: a choice.
+#: Smallest share that counts as the whole: a choice.
 NEARLY_ALL = 0.9
 
 
 class Conclusion(NamedTuple):
     """The answer of one surface in short; intervals have both ends or none."""
 
-    answer: str  #: Do reliable wavelengths decide edges and force: "yes", "partly" or "no".
-    #: What is known of the band, the first of these codes that holds:
+    answered: str  #: Do reliable wavelengths decide edges and force: "yes", "partly" or "no".
+    #: The first of these codes that holds:
     #: - few_patches: contacts touch too few patches;
     #: - unresolved: no cutoff changes the force;
     #: - unknown: a hindcast fails, or the filter makes ripples;
     #: - overlapping: short or long waves alone give the force;
     #: - found: any other case, even if an edge is only a bound.
-    band: str
+    band_status: str
     short_edge: Number
     long_edge: Number
     force: Number
-    extrapolated: list[str]  #: Sides with a known force with extrapolated roughness.
+    extrapolated_sides: list[str]  #: Sides with a known force with extrapolated roughness.
 
 
 class NextScan(NamedTuple):
@@ -63,7 +63,11 @@ def add_status(number: Number, interval_source: xr.DataArray) -> Number:
 
 
 def edge_numbers(data: Datasets) -> list[Number]:
-    """Return the edges of one surface, their measured shares, and cutoffs around some edges."""
+    """Return the edges of one surface, and for each edge the share of reliable wavelengths.
+
+    Edges without an interval have the computed cutoffs around them. Without a band all edges are
+    NaN, and nothing else is returned.
+    """
     statuses = data.edges["edge_status"].sel(side=list(SIDES)).values.tolist()
     # No cutoff changes the force: the short edge is above all cutoffs, the long one below.
     if statuses == [EdgeStatus.OPEN_ABOVE, EdgeStatus.OPEN_BELOW]:
@@ -71,7 +75,7 @@ def edge_numbers(data: Datasets) -> list[Number]:
     numbers = []
     for side in SIDES:
         edge = _edge_without_unreliable_ends(data, side)
-        share = measured_share_at_edge(data, side)
+        share = reliable_share_at_edge(data, side)
         numbers += [edge, Number(f"{edge.name}_measured_share", share, source=edge.source)]
         if edge.status == NumberStatus.NO_INTERVAL:
             cutoffs = computed_cutoffs(data.edges["filtered_force_ratio"].sel(side=side))
@@ -84,23 +88,23 @@ def edge_numbers(data: Datasets) -> list[Number]:
 def _edge_without_unreliable_ends(data: Datasets, side: str) -> Number:
     """Return an edge, or its bound if it is open, without interval ends where no scan is reliable.
 
-    If the hindcast fails, the edge is NaN, because the unfiltered force rests on wrong roughness.
+    An unreliable edge has no interval. If the hindcast fails, the edge is NaN, because the
+    unfiltered force rests on wrong roughness.
     """
     name = EDGE_NAMES[side]
     side_edges = data.edges.sel(side=side)
     status = side_edges["edge_status"].item()
+    # Ripples leave no edge whether the hindcast fails or not.
     if fails_hindcast(data, side) and status != EdgeStatus.RIPPLES:
         return Number(name, np.nan, "nm", status=NoValue.NO_HINDCAST, source="unreliable")
-    low, high = (end.item() for end in interval_ends(side_edges, "edge"))
+    ends = [end.item() for end in interval_ends(side_edges, "edge")]
     source = edge_source(data, side)
+    bands = unreliable_bands(data.spectra)
+    is_known = [source != "unreliable" and not overlaps_any(end, end, bands) for end in ends]
+    low, high = np.where(is_known, ends, np.nan).tolist()
     edge = Number(name, side_edges["edge"].item(), "nm", low, high, source=source)
     if not np.isfinite(edge.value):
         edge = edge._replace(value=side_edges["edge_bound"].item(), status=status)
-    bands = unreliable_bands(data.spectra)
-    if edge.source == "unreliable" or overlaps_any(edge.low, edge.low, bands):
-        edge = edge._replace(low=np.nan)
-    if edge.source == "unreliable" or overlaps_any(edge.high, edge.high, bands):
-        edge = edge._replace(high=np.nan)
     return add_status(edge, data.edges["interval_source"])
 
 
@@ -122,25 +126,26 @@ def reliable_and_unreliable_change(
     log_ratio = np.insert(log_ratio, end_index, 0.0)
     bands = unreliable_bands(data.spectra)
     limits = max(shortest, wavelength[0]), min(longest, wavelength[-1])
+    # Between neighbouring ends all wavelengths are reliable, or none is.
     ends = np.unique(np.clip([*wavelength, *limits, *np.ravel(bands)], *limits))
-    change = np.abs(np.diff(np.interp(np.log(ends), np.log(wavelength), log_ratio)))
-    middle = np.sqrt(ends[1:] * ends[:-1])
-    is_unreliable = np.any([(low < middle) & (middle < high) for low, high in bands], axis=0)
-    return float(change[~is_unreliable].sum()), float(change[is_unreliable].sum())
+    changes = np.abs(np.diff(np.interp(np.log(ends), np.log(wavelength), log_ratio)))
+    middles = np.sqrt(ends[1:] * ends[:-1])
+    is_unreliable = np.any([(low < middles) & (middles < high) for low, high in bands], axis=0)
+    return float(changes[~is_unreliable].sum()), float(changes[is_unreliable].sum())
 
 
-def measured_share(reliable: float, unreliable: float) -> float:
-    """Return the measured share of a change of the force: that of reliable wavelengths, or NaN."""
+def reliable_share(reliable: float, unreliable: float) -> float:
+    """Return the share of reliable wavelengths in a change of the force, NaN without a change."""
     return reliable / (reliable + unreliable) if reliable + unreliable > 0 else np.nan
 
 
-def measured_share_at_edge(data: Datasets, side: str) -> float:
-    """Return the measured share of the change at an edge, NaN if there is no edge."""
+def reliable_share_at_edge(data: Datasets, side: str) -> float:
+    """Return the share of reliable wavelengths in the change at an edge, NaN without an edge."""
     edge = data.edges["edge"].sel(side=side).item()
-    ends = (0.0, edge) if side == "short" else (edge, np.inf)
     if np.isnan(edge):
         return np.nan
-    return measured_share(*reliable_and_unreliable_change(data, side, *ends))
+    removed_band = (0.0, edge) if side == "short" else (edge, np.inf)
+    return reliable_share(*reliable_and_unreliable_change(data, side, *removed_band))
 
 
 def edge_source(data: Datasets, side: str) -> NumberSource:
@@ -148,7 +153,7 @@ def edge_source(data: Datasets, side: str) -> NumberSource:
     side_edges = data.edges.sel(side=side)
     bands = unreliable_bands(data.spectra)
     edge = float(side_edges["edge"].fillna(side_edges["edge_bound"]))
-    share = measured_share_at_edge(data, side)
+    share = reliable_share_at_edge(data, side)
     if overlaps_any(edge, edge, bands) or share < 1 - NEARLY_ALL:
         return "unreliable"
     if share < NEARLY_ALL:
@@ -162,21 +167,23 @@ def surface_conclusion(numbers: Mapping[str, Number]) -> Conclusion:
     short = _drop_partial_interval(numbers["short_edge"])
     long = _drop_partial_interval(numbers["long_edge"])
     force = _drop_partial_interval(numbers["mean_force"])
-    sides = [side for side in SIDES if f"force_extrapolated_{side}" in numbers]
+    differing_sides = [side for side in SIDES if f"force_extrapolated_{side}" in numbers]
+    known_sides = [
+        side for side in differing_sides if np.isfinite(numbers[f"force_extrapolated_{side}"].value)
+    ]
     sources = {short.source, long.source, numbers["mean_force_measured_share"].source}
-    band = _describe_band(short, long, numbers["mean_force"])
-    if band in ("few_patches", "unresolved") or sources == {"unreliable"}:
-        answer = "no"
-    elif sources == {"measured"} and not sides and not short.status and not long.status:
-        answer = "yes"
+    band_status = _describe_band(short, long, numbers["mean_force"])
+    if band_status in ("few_patches", "unresolved") or sources == {"unreliable"}:
+        answered = "no"
+    elif sources == {"measured"} and not any([short.status, long.status, differing_sides]):
+        answered = "yes"
     else:
-        answer = "partly"
-    known = [side for side in sides if np.isfinite(numbers[f"force_extrapolated_{side}"].value)]
-    return Conclusion(answer, band, short, long, force, known)
+        answered = "partly"
+    return Conclusion(answered, band_status, short, long, force, known_sides)
 
 
 def _describe_band(short: Number, long: Number, force: Number) -> str:
-    """Return what is known of the band of one surface, as `Conclusion.band`."""
+    """Return `Conclusion.band_status` from both edges and the mean force of one surface."""
     if force.status == IntervalSource.FEW_PATCHES:
         return "few_patches"
     if short.status == NoValue.NO_BAND:
@@ -187,14 +194,15 @@ def _describe_band(short: Number, long: Number, force: Number) -> str:
 
 
 def _drop_partial_interval(number: Number) -> Number:
-    """Return a number without its interval if only one end of it is known."""
-    is_whole = np.isfinite([number.low, number.high]).all() or np.isnan(number.value)
+    """Return a number for a sentence of several: without its interval if that lacks an end."""
+    if np.isfinite([number.low, number.high]).all() or np.isnan(number.value):
+        return number
     status = number.status if number.status in OPEN_WORDS else NumberStatus.PLAIN
-    return number if is_whole else number._replace(low=np.nan, high=np.nan, status=status)
+    return number._replace(low=np.nan, high=np.nan, status=status)
 
 
 def next_scans(numbers: Mapping[str, Number], spectra: xr.Dataset) -> list[NextScan]:
-    """Return a measurement to make for each edge that is open, unknown or (partly) unreliable."""
+    """Return a measurement to make for each edge that is open, not found or (partly) unreliable."""
     # A surface that is only described may not exist yet.
     if (spectra["kind"] == "description").any():
         return []

@@ -18,13 +18,13 @@ from hardcontact.report.own_surfaces.datasets import (
     drop_padding,
     fails_hindcast,
     measurement_name,
+    octave_sphere_share,
     preferred_model,
     select_preferred_model,
     shown_octaves,
     split_measurements,
     unreliable_bands,
 )
-from hardcontact.scans.both_bodies import sphere_share
 
 SIDE_LOOKS: dict[str, tuple[str, style.Look]] = {
     "short": ("without shorter wavelengths", {"ls": "-", "marker": "o"}),
@@ -38,7 +38,8 @@ JOINED_LOOK: style.Look = {"color": "black", "ls": ":", "lw": 1.8, "zorder": 3}
 FITS_ALL_LOOK: style.Look = {"color": "0.3", "ls": "--", "marker": "", "label": "fits all"}
 #: Most measurements with unreliable parts of spectra drawn: more curves hide each other.
 MAX_UNRELIABLE_CURVES = 3
-SYMBOLS_PER_CURVE = 12
+#: Fewest symbols on a curve of more points.
+MIN_SYMBOLS = 12
 #: Dots per inch of height maps, which make up most of the size of a page.
 MAP_DOTS_PER_INCH = 72
 #: Width of figures in inches: 360 pixels of a phone show 7 points as 9 pixels.
@@ -46,7 +47,7 @@ FIGURE_WIDTH = 3.8
 
 
 def write_figures(datasets: Datasets, outputs: Mapping[str, Sequence[str]]) -> dict[str, bytes]:
-    """Write the figure that each file is named for, by FILE_KINDS; return the SVG by figure."""
+    """Write each figure to the files that have its name, by kind; return the SVG by name."""
     pictures = {}
     for index, svg in enumerate(outputs["svg"]):
         files = {kind: outputs[kind][index] for kind in FILE_KINDS}
@@ -65,10 +66,9 @@ def draw_octaves(datasets: Datasets) -> Figure:
     sensitivity = datasets.sensitivity.sel(surface=list(labels))
     handles = style.surface_handles(sensitivity.assign(label=("surface", [*labels.values()])))
     if "sphere_share" in datasets.spectra:
-        # `octave` is the shortest wavelength of each octave.
-        middles = np.sqrt(2) * sensitivity["octave"].values
+        octaves = sensitivity["octave"].values
         spectra = [datasets.spectra.sel(surface=surface) for surface in labels]
-        shares = [[sphere_share(spectrum, middle) for middle in middles] for spectrum in spectra]
+        shares = [[octave_sphere_share(row, octave) for octave in octaves] for row in spectra]
         sensitivity = sensitivity.assign(sphere_share=(("surface", "octave"), shares))
         handles.append(Patch(**panels.SPHERE_SHARE_LOOK, label="the sphere's share of the power"))
     figure, axes = _single_panel(3.0)
@@ -95,7 +95,7 @@ def draw_maps(datasets: Datasets) -> Figure:
 
 
 def draw_cutoffs(datasets: Datasets) -> Figure:
-    """Draw the force relative to the unfiltered surface against the cutoff, for each surface."""
+    """Draw the force relative to the unfiltered force against the cutoff, for each surface."""
     figure, surface_panels = _surface_panels(datasets)
     for axes, colour, data in surface_panels:
         cutoffs = computed_cutoffs(data.edges["filtered_force_ratio"])
@@ -127,10 +127,10 @@ def draw_spectra(datasets: Datasets) -> Figure:
         wavelengths = 2 * np.pi / data.spectra["bin_wavevector"].values
         all_measurements = drop_padding(data.spectra)
         has_data = np.isfinite(all_measurements["psd"].values).any(axis=0)
-        shows_unreliable = all_measurements.sizes["measurement"] <= MAX_UNRELIABLE_CURVES
+        with_unreliable = all_measurements.sizes["measurement"] <= MAX_UNRELIABLE_CURVES
         measurements = split_measurements(all_measurements)
         for measurement, marker in zip(measurements, cycle(style.MARKERS), strict=False):
-            _draw_measurement(axes, wavelengths, measurement, marker, shows_unreliable)
+            _draw_measurement(axes, wavelengths, measurement, marker, with_unreliable)
         used_density = _used_spectrum(data.spectra)[has_data]
         joined_density = data.spectra["joined_psd"].values[has_data]
         axes.plot(wavelengths[has_data], used_density, color=colour, label="used")
@@ -156,12 +156,12 @@ def draw_forces(datasets: Datasets) -> Figure:
             drawn_curve = curve if model == answer_model else curve[["value"]]
             look = surface_look | model_look | {"label": f"{labels[surface]}, {model}"}
             _draw_curve(axes, ranges, drawn_curve, look)
-    _finish_over_range(figure, ranges, force.attrs["rho"], "pull-off force (µN)")
+    _finish_range_axes(figure, ranges, force.attrs["rho"], "pull-off force (µN)")
     return figure
 
 
 def draw_works(datasets: Datasets) -> Figure:
-    """Draw the work of adhesion that fits the force of each surface, and all, against the range."""
+    """Draw the works of adhesion that fit each surface's force, and all forces, by range."""
     assert datasets.fit is not None
     fit = select_preferred_model(datasets.fit)
     labels = datasets.labels()
@@ -177,7 +177,7 @@ def draw_works(datasets: Datasets) -> Figure:
     if len(names) > 1 and np.isfinite([low, high]).any():
         curve = {"value": ("rho", np.sqrt(low * high)), "low": ("rho", low), "high": ("rho", high)}
         _draw_curve(axes, rho, xr.Dataset(curve), FITS_ALL_LOOK)
-    _finish_over_range(figure, rho, fit.attrs["rho"], "work of adhesion (mJ/m²)")
+    _finish_range_axes(figure, rho, fit.attrs["rho"], "work of adhesion (mJ/m²)")
     return figure
 
 
@@ -214,13 +214,9 @@ def _titled_panels(titles: Collection[str], height: float) -> tuple[Figure, np.n
 
 
 def _draw_measurement(
-    axes: Axes,
-    wavelengths: np.ndarray,
-    measurement: xr.Dataset,
-    marker: str,
-    shows_unreliable: bool,
+    axes: Axes, wavelengths: np.ndarray, measurement: xr.Dataset, marker: str, with_unreliable: bool
 ) -> None:
-    """Draw the PSD (nm⁴) of one measurement where it is reliable; grey elsewhere, if shown."""
+    """Draw the PSD (nm⁴) of one measurement where it is reliable; grey elsewhere, if asked for."""
     density = measurement["psd"].values
     is_reliable = measurement["reliable"].values == 1
     name = PurePath(measurement_name(measurement)).name
@@ -228,7 +224,7 @@ def _draw_measurement(
     colour = KIND_COLOURS[str(measurement["kind"].item())]
     reliable_density = np.where(is_reliable, density, np.nan)
     axes.plot(wavelengths, reliable_density, color=colour, label=name, **reliable_look)
-    if shows_unreliable and np.isfinite(density[~is_reliable]).any():
+    if with_unreliable and np.isfinite(density[~is_reliable]).any():
         look: style.Look = reliable_look | UNRELIABLE_LOOK | {"label": f"{name}, not reliable"}
         axes.plot(wavelengths, np.where(is_reliable, np.nan, density), **look)
 
@@ -246,7 +242,7 @@ def _draw_curve(axes: Axes, x: np.ndarray, curve: xr.Dataset, look: style.Look) 
     """Draw the finite values of a curve, and the band between the ends of its intervals, if any."""
     is_finite = np.isfinite(curve["value"].values)
     finite_curve = curve.isel({curve["value"].dims[0]: is_finite})
-    marker_step = max(1, is_finite.sum() // SYMBOLS_PER_CURVE)
+    marker_step = max(1, is_finite.sum() // MIN_SYMBOLS)
     marked_look: style.Look = look | {"ms": 2.5, "markevery": marker_step}
     axes.plot(x[is_finite], finite_curve["value"], **marked_look)
     if "low" in curve:
@@ -260,17 +256,15 @@ def _mark_positions(axes: Axes, positions: Sequence[float], label: str) -> None:
 
 
 def _set_logarithmic_axes(axes: Axes, x_label: str, y_label: str, x: np.ndarray) -> None:
-    """Make both axes logarithmic, label them, and limit the x axis to the values."""
+    """Make both axes logarithmic, label them, and limit the x axis to the values of x."""
     axes.set(xscale="log", yscale="log", xlabel=x_label, ylabel=y_label, xlim=(x.min(), x.max()))
     style.label_logarithmic(axes.xaxis, digits=(1, 3))
 
 
-def _finish_over_range(
-    figure: Figure, ranges: np.ndarray, answer_range: float, y_label: str
-) -> None:
-    """Mark the range of adhesion (nm) of the answer, scale the axes and add the legend."""
+def _finish_range_axes(figure: Figure, ranges: np.ndarray, rho: float, y_label: str) -> None:
+    """Mark the range of adhesion rho (nm) of the study, scale the axes and add the legend."""
     (axes,) = figure.axes
-    _mark_positions(axes, [answer_range], "range of the study")
+    _mark_positions(axes, [rho], "range of the study")
     _set_logarithmic_axes(axes, "range of adhesion (nm)", y_label, ranges)
     style.label_logarithmic(axes.yaxis)
     _add_legend(figure)

@@ -21,13 +21,14 @@ from hardcontact.report.own_surfaces.datasets import (
 from hardcontact.report.own_surfaces.edges import (
     NEARLY_ALL,
     add_status,
-    measured_share,
     reliable_and_unreliable_change,
+    reliable_share,
 )
 from hardcontact.report.quantities import NoValue, number_of, number_without_value
 from hardcontact.surfaces.spectrum import spectrum_of_dataset
 from hardcontact.surfaces.synthesis import SIDES
 
+#: Wavevectors at which an octave is integrated.
 WAVEVECTORS_PER_OCTAVE = 33
 
 
@@ -35,12 +36,11 @@ def force_numbers(data: Datasets) -> list[Number]:
     """Return the forces of one surface at the configured range, and numbers that explain them."""
     force = data.force
     forces = forces_at_range(force)
-    mean = number_of(forces, "force", name="mean_force")
     quantiles = forces["force_quantile"]  # The outermost stored quantiles are nearest to 0 and 1.
     lowest, median, highest = quantiles.sel(quantile=[0, 0.5, 1], method="nearest").values.tolist()
     smooth = dmt_pull_off(force.attrs["work_of_adhesion"], force.attrs["sphere_radius"])
     return [
-        add_status(mean, force["interval_source"]),
+        add_status(number_of(forces, "force", name="mean_force"), force["interval_source"]),
         _mean_force_measured_share(data),
         *_extrapolated_forces(data),
         Number("median_force", median, "N"),
@@ -57,9 +57,12 @@ def force_numbers(data: Datasets) -> list[Number]:
 
 
 def _mean_force_measured_share(data: Datasets) -> Number:
-    """Return the share of reliable wavelengths in the change of the force by roughness."""
+    """Return the share of reliable wavelengths in the change of the force by roughness.
+
+    The source is "measured" if unreliable wavelengths change the force within the tolerance.
+    """
     reliable, unreliable = reliable_and_unreliable_change(data, "short")
-    share = measured_share(reliable, unreliable)
+    share = reliable_share(reliable, unreliable)
     source: NumberSource = "unreliable" if share < 1 - NEARLY_ALL else "partly_unreliable"
     if unreliable <= np.log1p(data.edges.attrs["tolerance"]):
         source = "measured"
@@ -67,7 +70,7 @@ def _mean_force_measured_share(data: Datasets) -> Number:
 
 
 def _extrapolated_forces(data: Datasets) -> list[Number]:
-    """Return the forces with extrapolated roughness, and the wavelengths at which it is added."""
+    """Return the forces with extrapolated roughness, and the wavelengths between which it lies."""
     numbers = []
     for side in differing_sides(data.force):
         force = data.force.sel(side=side)
@@ -82,12 +85,15 @@ def _extrapolated_forces(data: Datasets) -> list[Number]:
 
 
 def differing_sides(data: xr.Dataset) -> list[str]:
-    """Return the sides at which extrapolated roughness changes the force, as force.nc states."""
+    """Return the sides at which force.nc or fit.nc states that extrapolation changes the force."""
     return [side for side in SIDES if data["extrapolation_matters"].sel(side=side).item() == 1]
 
 
 def extrapolated_number(side_data: xr.Dataset, variable: str, name: str, data: Datasets) -> Number:
-    """Return the force, or the work of adhesion, with roughness extrapolated at one side."""
+    """Return the force, or the work of adhesion, with roughness extrapolated at one side.
+
+    NaN if nothing supports the extrapolation: a hindcast fails, or the exponent is not known.
+    """
     number = number_of(side_data, variable, name=name, source="extrapolated")
     side = str(side_data["side"].item())
     unknown = Number(name, np.nan, number.unit, source=number.source)
@@ -158,21 +164,20 @@ def comparison_numbers(data: Datasets, reference: Datasets) -> Iterator[Number]:
 
 
 def _log_distances(number: Number) -> Floats:
-    """Return the distances (2,) of both ends of an interval from its value, in logarithms."""
+    """Return the distances (2,) of both ends of the interval from the value, in logarithms."""
     with np.errstate(divide="ignore"):
         return np.abs(np.log(np.array([number.low, number.high]) / number.value))
 
 
 def _octave_contributions(data: Datasets, reference: Datasets) -> tuple[Floats, Floats]:
-    """Return octaves that scans of both surfaces show, and their parts of ln(force ratio).
+    """Return octaves that scans of both surfaces show, and their contributions to ln(force ratio).
 
-    An octave is given by its shortest wavelength in nm. A part is the change of ln(amplitude) times
-    the mean sensitivity d ln F / d ln a.
+    An octave is given by its shortest wavelength in nm. A contribution is the difference of
+    ln(amplitude) times the mean sensitivity d ln F / d ln a.
     """
     is_shown = shown_octaves(data) & shown_octaves(reference)
     octaves = data.sensitivity["octave"].values[is_shown]
-    name = "octave_sensitivity"
-    sensitivities = [data.sensitivity[name].values, reference.sensitivity[name].values]
+    sensitivities = [surface.sensitivity["octave_sensitivity"] for surface in (data, reference)]
     amplitude_ratio = _octave_amplitudes(data, octaves) / _octave_amplitudes(reference, octaves)
     contributions = np.mean(sensitivities, axis=0)[is_shown] * np.log(amplitude_ratio)
     is_known = np.isfinite(contributions)
@@ -187,7 +192,7 @@ def _octave_amplitudes(data: Datasets, octaves: Floats) -> Floats:
 
 
 def measured_numbers(fit: xr.Dataset, data: Datasets) -> list[Number]:
-    """Return the force measured on one surface, and the works that fit it at the given range."""
+    """Return the measured force of one surface and the works, also extrapolated, that fit it."""
     fit_at_range = fit.sel(rho_fine=fit.attrs["rho"], method="nearest")
     numbers = [
         number_of(fit, "measured_force", source="measured"),
@@ -207,7 +212,7 @@ def measured_numbers(fit: xr.Dataset, data: Datasets) -> list[Number]:
 
 
 def fit_numbers(fit: xr.Dataset) -> list[Number]:
-    """Return the ranges and works of adhesion that agree with all measured forces."""
+    """Return the ranges and works of adhesion that fit all measured forces, and how well."""
     rho = fit["rho_fine"].values
     agrees = np.isfinite(fit["region"].values).all(axis=-1)
     shortest, longest = fit["region_range"].values.tolist()
