@@ -68,7 +68,7 @@ def topography(count=1, source="measured"):
 
 
 class Measurement(NamedTuple):
-    """A scan and its reliable band; lengths in nm."""
+    """A scan and its reliable band, with lengths in nm."""
 
     kind: str
     size: float
@@ -89,21 +89,21 @@ MEASUREMENTS = {
 def spectra(count=1, scans=MEASUREMENTS):
     """Return joined spectra; a second surface has one measurement less than the first."""
     bins = np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
-    surfaces_spectra = []
+    surface_spectra = []
     for index in range(count):
         names = list(scans)[: len(scans) - (index > 0)]
-        surfaces_spectra.append(_spectra_of(bins, {name: scans[name] for name in names}))
+        surface_spectra.append(_surface_spectra(bins, {name: scans[name] for name in names}))
     # Where a surface has fewer measurements, numbers are padded by NaN and texts by "".
     padding = {
         name: "" if values.dtype.kind == "U" else np.nan
-        for name, values in surfaces_spectra[0].data_vars.items()
+        for name, values in surface_spectra[0].data_vars.items()
     }
-    table = xr.concat(surfaces_spectra, "surface", join="outer", fill_value=padding)
+    table = xr.concat(surface_spectra, "surface", join="outer", fill_value=padding)
     return table.assign_coords(surface=SURFACES[:count]).assign(label=("surface", LABELS[:count]))
 
 
-def _spectra_of(bins, scans):
-    """Return the joined spectrum of measurements by name; those with noise below their band."""
+def _surface_spectra(bins, scans):
+    """Return the spectra of measurements by name, with noise floors below their reliable bands."""
     rng = np.random.default_rng(1)
     wavelength = 2 * np.pi / bins
     columns = {
@@ -160,9 +160,10 @@ def edges(count=1):
     ratio = np.full((count, 2, cutoffs.size), np.nan)
     for index, side in enumerate(SIDES):
         is_computed = np.isin(cutoffs, CUTOFFS[side])
-        # The change is a tenth at the edge and grows in proportion away from the unfiltered end.
-        share = cutoffs[is_computed] / EDGES[side]
-        ratio[:, index, is_computed] = 1 + 0.1 * (share if side == "short" else 1 / share)
+        # The change is a tenth at the edge and in proportion to the cutoff, or its inverse.
+        cutoff_over_edge = cutoffs[is_computed] / EDGES[side]
+        change = 0.1 * (cutoff_over_edge if side == "short" else 1 / cutoff_over_edge)
+        ratio[:, index, is_computed] = 1 + change
     edge = np.tile([EDGES[side] for side in SIDES], (count, 1))
     data = xr.Dataset(
         between_multiples("filtered_force_ratio", ("surface", "side", "cutoff_wavelength"), ratio,
@@ -296,6 +297,7 @@ def fit(count=1):
     interval = data["work_by_range_interval"]
     low, high = interval.max("surface").sel(end="low"), interval.min("surface").sel(end="high")
     region = xr.concat([low, high], "end").transpose("contact_model", "rho_fine", "end")
+    # One force does not determine both range and work.
     best = np.full(2, np.nan if count == 1 else 1.0)
     models = "contact_model"
     data = data.assign(
@@ -375,6 +377,7 @@ def numbers_of(own_setting=None, **others):
     return surface_answers(datasets(**others), own_setting or setting())[0].numbers
 
 
+#: Too long for the width of a table.
 LONG_NAME = "/scans/" + "a-very-long-name-of-a-scan-" * 5 + "1.spm"
 FORCES = "two substitutes, forces"
 #: Datasets of studies that differ in what they have.

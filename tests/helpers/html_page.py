@@ -10,33 +10,34 @@ VOID = {"area", "base", "br", "col", "hr", "img", "input", "link", "meta", "sour
 class Page(HTMLParser):
     """A parsed page; every element must have its end.
 
-    `attributes` and `texts` have the attributes and the text of every element, by tag.
+    `attributes` and `texts` have the attributes and the text of every element, by tag; `rows` has
+    the texts of the cells of every row; `open_elements` are tags and indices in `texts`.
     """
 
     def __init__(self, html):
         super().__init__()
-        self.attributes, self.texts, self.rows, self.inside = {}, {}, [], []
+        self.attributes, self.texts, self.rows, self.open_elements = {}, {}, [], []
         self.feed(html)
         self.close()
-        assert self.inside == [], self.inside
+        assert self.open_elements == [], self.open_elements
 
     def handle_starttag(self, tag, attributes):
         self.attributes.setdefault(tag, []).append(dict(attributes))
         self.texts.setdefault(tag, []).append("")
         if tag not in VOID:
-            self.inside.append((tag, len(self.texts[tag]) - 1))
+            self.open_elements.append((tag, len(self.texts[tag]) - 1))
         if tag == "tr":
             self.rows.append([])
         elif tag in ("td", "th"):
             self.rows[-1].append("")
 
     def handle_endtag(self, tag):
-        assert tag not in VOID and self.inside.pop()[0] == tag, (tag, self.getpos())
+        assert tag not in VOID and self.open_elements.pop()[0] == tag, (tag, self.getpos())
 
     def handle_data(self, data):
-        for tag, index in self.inside:
+        for tag, index in self.open_elements:
             self.texts[tag][index] += data
-        if {"td", "th"} & {tag for tag, _ in self.inside}:
+        if {"td", "th"} & {tag for tag, _ in self.open_elements}:
             self.rows[-1][-1] += data + " "
 
     def values(self, name):
@@ -50,9 +51,9 @@ class Page(HTMLParser):
 
 
 def dead_links(pages, files):
-    """Return the links of pages that lead to no anchor of a page and to none of the other files.
+    """Return the pages, and their links, that lead to no anchor of a page and to none of the files.
 
-    Pages are given by HTML, and other files alone, by their paths within a study.
+    `pages` has the HTML of each page by its path in a study; `files` are paths of other files.
     """
     anchors = {path: set(Page(html).values("id")) for path, html in pages.items()}
     dead = []
@@ -61,7 +62,8 @@ def dead_links(pages, files):
             name, _, anchor = link.partition("#")
             target = posixpath.normpath(posixpath.join(posixpath.dirname(path), name))
             target = target if name else path
-            alive = link.startswith("https:") or target in files
-            if not alive and not (target in anchors and {anchor} <= anchors[target] | {""}):
+            leads_to_file = link.startswith("https:") or target in files
+            leads_to_anchor = target in anchors and anchor in anchors[target] | {""}
+            if not leads_to_file and not leads_to_anchor:
                 dead.append((path, link))
     return dead

@@ -1,4 +1,4 @@
-"""Studies of the user's surfaces: small scans in the files of microscopes, and the two commands."""
+"""Studies of the user's surfaces: small scans in files of microscopes, and commands on them."""
 
 import json
 
@@ -17,7 +17,7 @@ WORK = 0.05
 
 
 def run_new(folder, *arguments):
-    """Run `hardcontact new` in a copy of the repository."""
+    """Run `hardcontact new` in a folder, a copy of the repository."""
     words = ["new", *map(str, arguments)]
     return run_program(folder, "hardcontact.commands.command_line", words, environment(folder))
 
@@ -29,9 +29,9 @@ def run_quick(folder, name, *arguments, overlays=(), run=run_snakemake):
 
 
 def make_study(folder, name, *arguments, **options):
-    """Make a study from files by both commands, with options of `run_quick`; return its results."""
-    done = run_new(folder, name, *arguments)
-    assert done.returncode == 0, done.stdout
+    """Make and run a study of files, with options of `run_quick`; return the folder of results."""
+    new = run_new(folder, name, *arguments)
+    assert new.returncode == 0, new.stdout
     run = run_quick(folder, name, **options)
     assert run.returncode == 0, run.stdout[-3000:]
     return folder / "results" / f"{name}-quick"
@@ -43,7 +43,7 @@ def read_answer(results):
 
 
 def read_quantities(results):
-    """Return the quantities of an answer by surface and name, "" for those of the whole study."""
+    """Return the quantities of an answer by surface, "" for the whole study, and name."""
     surfaces = {}
     for row in read_answer(results)["quantities"]:
         surfaces.setdefault(row["surface"], {})[row["name"]] = row

@@ -9,26 +9,24 @@ from jsonschema import Draft202012Validator
 from repository import ROOT
 
 SCHEMA = json.loads((ROOT / "workflow/schemas/answer.schema.json").read_text("utf-8"))
-
-
 CASES = inputs.CASES | {"no band": inputs.datasets(edges=inputs.unresolved_edges())}
 
 
 @cache
-def content(case):
+def answer_of(case):
     return inputs.make_answer(CASES[case])
 
 
 def quantities(case, surface="my_coating"):
     """The quantities of a surface by name."""
-    rows = content(case)["quantities"]
+    rows = answer_of(case)["quantities"]
     return {row["name"]: row for row in rows if row["surface"] == surface}
 
 
 @pytest.mark.parametrize("case", CASES)
 def test_the_answer_follows_its_schema(case):
     Draft202012Validator.check_schema(SCHEMA)
-    Draft202012Validator(SCHEMA).validate(content(case))
+    Draft202012Validator(SCHEMA).validate(answer_of(case))
 
 
 def test_the_answer_has_the_numbers_of_the_datasets():
@@ -52,17 +50,17 @@ def test_the_answer_has_the_numbers_of_the_datasets():
     assert surface_rows["measurement_1_shortest_reliable"]["value"] == 55.0
 
 
-def test_the_answer_has_the_three_octaves_that_matter_most_and_that_a_scan_shows():
+def test_the_answer_has_the_three_strongest_octaves_that_a_scan_shows():
     rows = quantities("one")
     assert [rows[f"octave_{rank}"]["value"] for rank in (1, 2, 3)] == [80, 160, 40]
     numbers = [rows[f"octave_{rank}_sensitivity"] for rank in (1, 2, 3)]
     assert [number["value"] for number in numbers] == [-0.9, -0.4, -0.2]
-    assert (numbers[0]["low"], numbers[0]["high"]) == (-1.4, -0.4)
+    assert (numbers[0]["low"], numbers[0]["high"]) == (-1.4, -0.4)  # -0.9 ± 0.5
     assert "octave_4" not in rows
 
 
 @pytest.mark.parametrize(("paper_values", "count"), [(["work of adhesion"], 2), (["hardness"], 0)])
-def test_forces_at_other_pairs_are_shown_only_if_range_or_work_are_the_paper_s(paper_values, count):
+def test_forces_at_other_pairs_are_given_only_if_range_or_work_is_assumed(paper_values, count):
     numbers = inputs.numbers_of(inputs.setting()._replace(assumed=paper_values))
     pairs = {"force_of_pair_long_range", "force_of_pair_short_range"}
     assert len(pairs & numbers.keys()) == count

@@ -1,9 +1,13 @@
-"""Unreliable wavelengths are beyond the scans or in gaps between them."""
+"""Measurements of the user's surfaces, their names, and the wavelengths that none shows."""
 
 import numpy as np
 from answer_inputs import MEASUREMENTS, SURFACES, spectra
 
-from hardcontact.report.own_surfaces.datasets import drop_padding, unreliable_bands
+from hardcontact.report.own_surfaces.datasets import (
+    drop_padding,
+    measurement_name,
+    unreliable_bands,
+)
 
 
 def select_first(data):
@@ -28,8 +32,14 @@ def test_an_unreliable_scan_closes_no_gap():
     assert (320.0, 800.0) in unreliable_bands(data)
 
 
-def test_empty_entries_are_no_measurements():
+def test_padding_is_no_measurement():
     twin = spectra(2).sel(surface=SURFACES[1])
     assert twin.sizes["measurement"] == 3
     assert drop_padding(twin)["path"].values.tolist() == ["scans/fine.spm", "scans/coarse.spm"]
     assert unreliable_bands(twin)[-1] == (5000.0, np.inf)
+
+
+def test_a_measurement_of_a_container_has_both_names():
+    data = select_first(spectra()).isel(measurement=0)
+    assert measurement_name(data) == "scans/fine.spm"
+    assert measurement_name(data.assign(dataset=((), "map-1"))) == "scans/fine.spm: map-1"

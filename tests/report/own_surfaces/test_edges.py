@@ -29,7 +29,7 @@ from hardcontact.report.own_surfaces.edges import (
 
 
 @pytest.mark.parametrize(
-    ("data", "source"),
+    ("data", "expected"),
     [
         (move_edge(120.0, 90.0, 150.0), ("measured", 90.0, 150.0)),
         (move_edge(70.0, 40.0, 90.0), ("partly_unreliable", None, 90.0)),
@@ -38,13 +38,14 @@ from hardcontact.report.own_surfaces.edges import (
         (move_edge(120.0, 40.0, 150.0), ("interval_unreliable", None, 150.0)),
     ],
 )
-def test_unreliable_ends_of_intervals_are_left_out(data, source):
-    fact = json_value(numbers_of(edges=data)["short_edge"])
-    assert (fact["source"], fact["low"], fact["high"]) == source
+def test_unreliable_ends_of_intervals_are_left_out(data, expected):
+    # The scans are reliable from 55 nm.
+    edge = json_value(numbers_of(edges=data)["short_edge"])
+    assert (edge["source"], edge["low"], edge["high"]) == expected
 
 
 def test_the_change_at_an_edge_is_split_at_the_shortest_reliable_wavelength():
-    # ln F is linear in ln c between 40 and 80 nm, and the scans begin at 55 nm.
+    # ln F is linear in ln c between cutoffs c of 40 and 80 nm, and the scans begin at 55 nm.
     data = move_edge(80.0, 70.0, 90.0)
     log_ratios = np.log(data["filtered_force_ratio"].sel(surface=SURFACES[0], side="short"))
     low, high = log_ratios.sel(cutoff_wavelength=[40, 80]).values
@@ -55,6 +56,7 @@ def test_the_change_at_an_edge_is_split_at_the_shortest_reliable_wavelength():
     assert numbers_of(edges=data)["short_edge_measured_share"].value == pytest.approx(
         1 - unseen / high, rel=1e-4
     )
+    # The longest cutoff, 320 nm, is four times the edge.
     assert sum(reliable_and_unreliable_change(surface, "short")) == pytest.approx(
         np.log1p(0.1 * 4**4), rel=1e-4
     )
@@ -66,7 +68,7 @@ def test_open_edges_are_bounds():
     edges_open_below = open_edges()
     edges_open_below["edge_status"].loc[{"side": "long"}] = "open_below"
     assert numbers_of(edges=edges_open_below)["long_edge"].status == "open_below"
-    edges_open_below["edge_bound"].loc[{"side": "long"}] = 30_000.0
+    edges_open_below["edge_bound"].loc[{"side": "long"}] = 30_000.0  # beyond the scans
     assert (
         edge_source(datasets(edges=edges_open_below).select_surface(SURFACES[0]), "long")
         == "unreliable"
@@ -120,8 +122,8 @@ def test_a_missing_interval_has_a_reason():
     for source, status in {"quarters": "no_interval", "few_patches": "few_patches"}.items():
         edges_without_interval = data.assign(interval_source=("surface", [source]))
         assert numbers_of(edges=edges_without_interval)["short_edge"].status == status
-    half = numbers_of(edges=move_edge(120.0, 90.0, np.nan))["short_edge"]
-    assert (half.low, json_value(half.high), half.status) == (90.0, None, "")
+    bounded_below = numbers_of(edges=move_edge(120.0, 90.0, np.nan))["short_edge"]
+    assert bounded_below.low == 90.0 and np.isnan(bounded_below.high) and not bounded_below.status
     assert numbers_of(force=drop_interval(force()))["mean_force"].status == "no_interval"
 
 

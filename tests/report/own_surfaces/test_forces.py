@@ -7,10 +7,8 @@ import pytest
 from hardcontact.report.own_surfaces.datasets import select_preferred_model
 from hardcontact.report.own_surfaces.forces import comparison_numbers, fit_numbers, pair_numbers
 
-#: The shortest wavelength (nm) of an octave that scans show.
-OCTAVE = 80.0
-#: d ln F / d ln a of this octave.
-SENSITIVITY = -0.9
+#: An octave that scans show, by its shortest wavelength (nm), and its d ln F / d ln a.
+OCTAVE, SENSITIVITY = inputs.OCTAVES[2], inputs.SENSITIVITIES[2]
 
 
 def test_the_force_at_other_pairs_follows_a_power_law_within_the_ranges():
@@ -27,11 +25,12 @@ def test_the_force_at_other_pairs_follows_a_power_law_within_the_ranges():
 
 def test_the_sensitivity_to_the_range_needs_two_ranges():
     assert inputs.numbers_of()["range_sensitivity"].value == pytest.approx(-0.5)
-    one_range = inputs.force().sel(rho=[5.6])
+    one_range = inputs.force().sel(rho=[inputs.RANGE])
     assert np.isnan(inputs.numbers_of(force=one_range)["range_sensitivity"].value)
 
 
 def compare(**others):
+    """The numbers that compare the second surface with the first, by name."""
     data = inputs.datasets(2, **others)
     reference, twin = (data.select_surface(name) for name in data.force["surface"].values)
     return {number.name: number for number in comparison_numbers(twin, reference)}

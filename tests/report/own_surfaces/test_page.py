@@ -15,8 +15,10 @@ from hardcontact.report.figures.listing import OWN_FIGURES
 from hardcontact.report.own_surfaces import figures
 
 FIRST = {"surface": inputs.SURFACES[0]}
-PHONE = 358  # pixels that a figure is wide on a screen of 390
-MIN_TEXT = 9.0  # pixels: as small as footnotes on phones are
+#: Width of a figure in pixels, on a phone with a screen of 390.
+PHONE_WIDTH = 358
+#: Height of the smallest text in pixels, as of footnotes on phones.
+MIN_TEXT = 9.0
 
 
 @pytest.mark.parametrize("case", inputs.CASES)
@@ -32,6 +34,7 @@ def test_the_page_is_self_contained_and_describes_every_picture(case):
 
 
 def headline_of(**changed):
+    """The lines of the headline in one; `changed` replaces datasets."""
     return " ".join(inputs.make_answer(inputs.datasets(**changed))["headline"])
 
 
@@ -71,12 +74,11 @@ def test_the_figure_of_octaves_has_a_bar_an_octave_and_hatches_those_that_no_sca
 
 def test_names_of_the_user_are_escaped():
     hostile = "</script><b>x</b>\"'"
-    data = inputs.datasets()
-    paths = data.spectra["path"].astype(object) + hostile
-    labelled = type(data)(*(dataset.assign(label=("surface", [hostile])) for dataset in data[:5]))
-    labelled = labelled._replace(spectra=labelled.spectra.assign(path=paths))
-    text = inputs.make_page(labelled)
-    assert "<b>" not in text and Page(text).texts["h1"]
+    spectra = inputs.spectra()
+    spectra["path"] = spectra["path"].astype(object) + hostile
+    topography = inputs.topography().assign(label=("surface", [hostile]))
+    text = inputs.make_page(inputs.datasets(topography=topography, spectra=spectra))
+    assert "<b>" not in text and "&lt;b&gt;" in text and Page(text).texts["h1"]
 
 
 def lines_of(figure):
@@ -129,7 +131,7 @@ def test_figures_are_readable_on_a_phone_and_name_their_surfaces_and_units(name)
         figure = figures.OWN_DRAWINGS[name](inputs.CASES[inputs.FORCES])
         figure.draw_without_rendering()
     texts = [text for text in figure.findobj(Text) if text.get_visible() and text.get_text()]
-    points = PHONE / (72 * figure.get_figwidth())
-    assert min(text.get_fontsize() for text in texts) * points >= MIN_TEXT
-    measure_page = " ".join(text.get_text() for text in texts)
-    assert all(f"{label} (substitute)" in measure_page for label in inputs.LABELS)
+    pixels_per_point = PHONE_WIDTH / (72 * figure.get_figwidth())
+    assert min(text.get_fontsize() for text in texts) * pixels_per_point >= MIN_TEXT
+    figure_text = " ".join(text.get_text() for text in texts)
+    assert all(f"{label} (substitute)" in figure_text for label in inputs.LABELS)
