@@ -83,15 +83,15 @@ def _unrecorded_faults(folder: str | Path, traced_paths: Iterable[str]) -> Itera
         for path in Path(folder).rglob("*")
         if RECORDS not in path.parts and path.relative_to(folder).parts[0] not in RUN_FOLDERS
     )
-    folders = {
+    output_folders = {
         Path(path).parent
         for path in traced_paths
         # A job made it, even if all records in its folder are lost.
         if (path.startswith("results/") and path not in PIN_FILES)
         or record_path(path).parent.is_dir()
     }
-    store_files = (path for store_folder in folders for path in store_folder.iterdir())
-    for path in sorted({*study_files, *store_files}):
+    files_beside = (path for output_folder in output_folders for path in output_folder.iterdir())
+    for path in sorted({*study_files, *files_beside}):
         if path.is_file() and not record_path(path).is_file():
             yield f"{path.as_posix()}: expected a record of its origin, found none"
 

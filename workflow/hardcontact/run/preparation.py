@@ -179,13 +179,13 @@ def _announce_changed_values(config: Mapping[str, Any]) -> None:
         print(line, file=sys.stderr, flush=True)
 
 
-def _changed_values(config: Mapping[str, Any], earlier: Mapping[str, Any]) -> list[str]:
-    """Return the keys with other values than in an earlier configuration, and both values."""
-    study, earlier_study = numeric_configuration(config), numeric_configuration(earlier)
+def _changed_values(config: Mapping[str, Any], reference: Mapping[str, Any]) -> list[str]:
+    """Return the keys with other values than in a reference configuration, and both values."""
+    study, reference_study = numeric_configuration(config), numeric_configuration(reference)
     return [
-        f"{key}: {shorten(get_key(config, key))} in place of {shorten(get_key(earlier, key))}"
+        f"{key}: {shorten(get_key(config, key))} in place of {shorten(get_key(reference, key))}"
         for key, _ in key_fields(Study)
-        if key != "quick" and get_key(earlier_study, key) != get_key(study, key)
+        if key != "quick" and get_key(reference_study, key) != get_key(study, key)
     ]
 
 
