@@ -82,7 +82,7 @@ def text_contents(folder):
     return files | {"b.csv": files["b.csv"].replace(b".", b",")}
 
 
-SPECTRUM_TABLE = "wavelength,wavelength_unit,c_iso,c_iso_unit\n" + "".join(
+SPECTRUM = "wavelength,wavelength_unit,c_iso,c_iso_unit\n" + "".join(
     f"{10 ** (1 + k / 9):.4g},nm,{100 * 10 ** (k / 3):.4g},nm4\n" for k in range(19)
 )
 DESCRIPTION = (
@@ -96,18 +96,14 @@ def read_description(path):
     described_rms_height(path, 4000.0)
 
 
-#: Kinds of input: a function that returns the contents of whole files by name, and one that reads a
-#: file.
+#: Kinds of input: functions that return whole contents by file name, and that read a file.
 KINDS = {
     "scan": (scan_contents, read_scans),
     "text": (
         text_contents,
         lambda path: read_scan(path, undefined_pixels="harmonic", unit="um,nm", map_size=200.0),
     ),
-    "spectrum": (
-        lambda _: {"a.csv": SPECTRUM_TABLE.encode()},
-        lambda path: read_own_spectrum([path]),
-    ),
+    "spectrum": (lambda _: {"a.csv": SPECTRUM.encode()}, lambda path: read_own_spectrum([path])),
     "forces": (
         lambda _: {"a.csv": b"surface,value,unit\na,1,uN\nb,2.5,nN\na,3,uN\n"},
         lambda path: read_forces(path, ["a", "b"], 250e3),

@@ -17,7 +17,7 @@ import hardcontact as hc
 from hardcontact.base.arrays import generator
 from hardcontact.contact.geometry import count_window_pixels
 from hardcontact.own import scan_force
-from hardcontact.own.own_spectrum import OwnSpectrum
+from hardcontact.own.own_spectrum import OwnSpectrum, add_sphere_roughness
 from hardcontact.own.scan_contact import contact_on_scan
 from hardcontact.own.scan_force import force_on_scan
 from hardcontact.scans.joined_spectrum import joined_spectrum, reliable_spectrum
@@ -97,7 +97,7 @@ def test_the_force_on_a_map_is_the_sum_over_its_pixels(kind, predictions):
 
 
 @pytest.mark.parametrize(("kind", "sign", "fault"), [("pits", -1, "low"), ("peaks", 1, "high")])
-def test_the_closed_form_has_no_number_on_heights_that_are_not_gaussian(
+def test_the_closed_form_has_no_interval_on_heights_that_are_not_gaussian(
     kind, sign, fault, predictions
 ):
     report, numbers = predictions[kind]
@@ -111,7 +111,7 @@ def test_the_closed_form_has_no_number_on_heights_that_are_not_gaussian(
     assert_says(line, "no number: the heights are not", f"times too {fault}")
 
 
-def test_the_closed_form_of_a_gaussian_map_has_its_error(predictions):
+def test_the_closed_form_of_a_gaussian_map_agrees_with_the_force_on_it(predictions):
     report, numbers = predictions["gaussian"]
     formula, force = numbers["closed_form_on_scan"], numbers["force_on_scan"]
     assert formula["status"] == "agrees"
@@ -139,11 +139,11 @@ def test_a_smooth_wafer_has_the_force_of_a_rough_sphere(tmp_path, predictions):
     assert numbers["rms_height"]["value"] == pytest.approx(
         smooth_numbers["rms_height"]["value"], rel=1e-4
     )
-    table = tmp_path / "my.csv"
-    table.write_text("wavelength,wavelength_unit,c_iso,c_iso_unit\n" + "\n".join(
-        f"{100 * number},nm,{number},nm4" for number in range(1, 6)
-    ))  # fmt: skip
-    message = refusal(predict_text, str(table), "--sphere", str(path))
+
+
+def test_no_sphere_is_added_to_a_table_of_a_spectrum():
+    table = OwnSpectrum(self_affine_spectrum(rms=17), ())
+    message = refusal(add_sphere_roughness, table, table, 1)
     assert_says(message, "--sphere: expected scans of both bodies")
 
 

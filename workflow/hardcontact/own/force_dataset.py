@@ -165,7 +165,7 @@ def _plastic_at_range(data: Any, rho: float) -> Any:
 
 
 def widen_intervals(force: xr.Dataset, hindcast: xr.Dataset | None) -> xr.Dataset:
-    """Return forces with wider intervals, for sphere position, hindcast and wide pixels.
+    """Return forces with wider intervals.
 
     Position and hindcast widen the interval of the extrapolated force, wide pixels the interval of
     the force on scans, which already includes the position.

@@ -29,8 +29,8 @@ from hardcontact.surfaces.synthesis import SEED_WORDS, random_surface
 Octave = tuple[float, float]
 
 #: Artificial octaves of a side; each costs a force sum. With six, the outcome depended on the seed
-#: on one scan; with twelve, the interval is 1.17 times as wide as with many: t sqrt(1 + 1/12)/1.96,
-#: with Student's t of 11 degrees of freedom, 2.20.
+#: on one scan; with twelve, Student's interval is 2.20 sqrt(1 + 1/12)/1.96 = 1.17 times as wide as
+#: with many.
 ARTIFICIAL_OCTAVE_COUNT = 12
 
 
