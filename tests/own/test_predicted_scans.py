@@ -40,7 +40,7 @@ def test_a_scan_is_predicted_from_its_reliable_wavelengths(tmp_path, capsys, kin
     assert f"{path}: reliable from" in capsys.readouterr().err
     force = closed_form(spectrum, PAPER_CONTACT).force
     assert numbers["closed_form_force"]["value"] == pytest.approx(force)
-    # It is extrapolated like the masters of the study, up to a roll-off beyond the scan.
+    # The spectrum is extrapolated like those of masters, up to a roll-off beyond the scan.
     force = closed_form(spectrum_of_dataset(joined_scans), PAPER_CONTACT).force
     assert numbers["extrapolated_force"]["value"] == pytest.approx(force, rel=1e-3)
     rolloff = joined_scans.attrs["rolloff"]
