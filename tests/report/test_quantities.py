@@ -22,6 +22,7 @@ NAN = np.nan
 
 
 def force(value, low, high):
+    """A dataset with a force (N) and its interval."""
     return xr.Dataset(
         {"force": ((), value, {"units": "N"}), "force_interval": ("end", [low, high])},
         {"end": ["low", "high"]},

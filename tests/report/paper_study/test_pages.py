@@ -20,6 +20,7 @@ def page():
 
 
 def plain(text):
+    """A text with single, ordinary spaces."""
     return " ".join(text.replace("\N{NO-BREAK SPACE}", " ").split())
 
 

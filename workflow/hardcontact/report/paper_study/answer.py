@@ -204,7 +204,7 @@ def _small_scan_forces(datasets: Mapping[str, xr.Dataset]) -> xr.Dataset:
 
 
 def _pairs_of_sets(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> Iterator[Number]:
-    """Yield the best range and work of adhesion of the sets, with and without the decisive surface.
+    """Yield the median range and work of the sets, with and without the decisive surface.
 
     Their standard deviation over the sets and their printed uncertainty follow.
     """
