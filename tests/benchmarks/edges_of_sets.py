@@ -52,6 +52,20 @@ def both_ratios(filtered, unfiltered):
     }
 
 
+def edges_of_sets(forces_of_sets, set_count, master_count, settings):
+    """Return the edges in nm of sets: by ratio, a row for each set and a column for each claim."""
+    mean_forces = [forces_of_sets[name].mean(CONTACT_AXES) for name in FORCES]
+    rows = []
+    for set_number in range(1, set_count + 1):
+        samples = (
+            sample_masters(forces, master_count, settings["seed"], set_number)
+            for forces in mean_forces
+        )
+        for name, ratio in both_ratios(*samples).items():
+            rows.append({"ratio": name} | claimed_edges(forces_of_sets, ratio, settings))
+    return pd.DataFrame(rows).set_index("ratio")
+
+
 def main():
     """Print the edges of a finished study by both ratios, for its own masters and for sets."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -70,22 +84,14 @@ def main():
     forces_of_sets = read_master_forces(surfaces, paths, parameters["loading"]).sortby(
         "realization"
     )
-    mean_forces = [forces_of_sets[name].mean(CONTACT_AXES) for name in FORCES]
+    set_count = arguments.sets or sets.sizes["set"]
     master_count = arguments.masters or settings["master_count"]
-    rows = []
-    for set_number in range(1, (arguments.sets or sets.sizes["set"]) + 1):
-        samples = (
-            sample_masters(forces, master_count, settings["seed"], set_number)
-            for forces in mean_forces
-        )
-        for name, ratio in both_ratios(*samples).items():
-            rows.append({"ratio": name} | claimed_edges(forces_of_sets, ratio, settings))
-    edges_of_sets = pd.DataFrame(rows).set_index("ratio")
+    sampled_edges = edges_of_sets(forces_of_sets, set_count, master_count, settings)
     claims = read_judged_claims(study / "claims.csv").set_index("id")
     own_ratios = both_ratios(*(filtered_forces[name].mean(CONTACT_AXES) for name in FORCES))
     for name, ratio in own_ratios.items():
         for claim, edge in claimed_edges(filtered_forces, ratio, settings).items():
-            set_edges = edges_of_sets.loc[name, claim]
+            set_edges = sampled_edges.loc[name, claim]
             low, median, high = set_edges.quantile([0.025, 0.5, 0.975])
             agree = set_edges.between(*claims.loc[claim, ["accepted_low", "accepted_high"]])
             print(

@@ -122,7 +122,7 @@ def test_altered_files_are_refused_until_they_are_deleted_and_made_again(copy, o
     assert verified.returncode == 1 and "to resume" not in verified.stdout
     for path in altered_files:
         assert f"{path.relative_to(copy)}: is not the file" in verified.stdout
-    targets = ["force", "adhesion", "band"]  # of the spectra, forces and filtered masters
+    targets = ["force", "adhesion", "band"]  # Each reads one altered file.
     for name in ("adhesion", "filtered_forces"):
         (copy / RESULTS / f"{name}.nc").unlink()
     # An altered final file stops a run before its jobs remove anything.
@@ -148,7 +148,7 @@ def test_altered_files_are_refused_until_they_are_deleted_and_made_again(copy, o
 # Jobs that fail
 
 
-def alter(study, script, lines):
+def insert_lines(study, script, lines):
     """Insert lines into a script, where its job begins."""
     path = study / f"workflow/scripts/{script}.py"
     head, begin, tail = path.read_text().partition("(snakemake) as job:\n")
@@ -166,8 +166,8 @@ if not tried:
 
 
 def test_a_failing_job_is_repeated_and_does_not_stop_others(copy, own_study):
-    alter(copy, "describe_study", FAILS_ONCE)
-    alter(copy, "answer_surfaces", 'raise RuntimeError("fails always")')
+    insert_lines(copy, "describe_study", FAILS_ONCE)
+    insert_lines(copy, "answer_surfaces", 'raise RuntimeError("fails always")')
     (copy / RESULTS / "fit.nc").unlink()
     failed = run(copy)
     assert failed.returncode == 1

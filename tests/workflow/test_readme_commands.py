@@ -73,13 +73,12 @@ def calls(text):
 
 
 def overlays(text):
-    """Return the overlays by their files: named in the first line, or by the study."""
-    return {
-        (re.match(r"# (\S+\.yaml)", content) or re.match(r"study: (\S+)", content))[1]
-        .removesuffix(".yaml") + ".yaml": yaml.safe_load(content)
-        for language, content in blocks(text)
-        if language == "yaml"
-    }  # fmt: skip
+    """Return the overlays by file name, which is in the first line or that of the study."""
+    configurations = {}
+    for content in (content for language, content in blocks(text) if language == "yaml"):
+        name = (re.match(r"# (\S+)\.yaml", content) or re.match(r"study: (\S+)", content))[1]
+        configurations[f"{name}.yaml"] = yaml.safe_load(content)
+    return configurations
 
 
 def write_files(folder):
@@ -116,12 +115,12 @@ DRY = ["-n", "-q", "rules"]
 
 def dry_runs(runs):
     """Return runs without jobs; those with the same options are planned as one run."""
-    targets = {}
+    targets_by_options = {}
     for words in runs:
         end = next((n for n, word in enumerate(words) if word.startswith("-")), len(words))
         options = tuple(word for word in words[end:] if word not in DRY)
-        targets.setdefault(options, {}).update(dict.fromkeys(words[:end]))
-    return [[*names, *options, *DRY] for options, names in targets.items()]
+        targets_by_options.setdefault(options, {}).update(dict.fromkeys(words[:end]))
+    return [[*targets, *options, *DRY] for options, targets in targets_by_options.items()]
 
 
 def test_every_command_of_the_documentation_works(tmp_path):

@@ -92,14 +92,14 @@ def test_texts_are_large_enough_inside_the_figure_and_do_not_overlap(draw_checke
         if box.x0 < sheet.x0 or box.x1 > sheet.x1 or box.y0 < sheet.y0 or box.y1 > sheet.y1
     ]
     assert texts_beyond == []
-    covered = [
+    overlapping_texts = [
         (text.get_text(), second_text.get_text())
         for (text, box), (second_text, second_box) in combinations(boxes, 2)
         # The boxes of tilted names of an axis overlap, where the names do not.
         if box.overlaps(second_box)
         and not (text.get_rotation() % 90 and second_text.get_rotation() % 90)
     ]
-    assert covered == []
+    assert overlapping_texts == []
 
 
 @pytest.mark.parametrize("name", PAPER_FIGURES)
@@ -115,7 +115,7 @@ def test_a_surface_has_one_colour(draw_checked, name):
 PLASTIC = {"contact_model": "plastic"}
 FITTED = PLASTIC | {"pair": "fitted"}
 PUBLISHED = PLASTIC | {"pair": "published"}
-RIGID_CASE = {"contact_model": "rigid", "side": "short", "rho": 1}
+RIGID_CASE = {"contact_model": "rigid", "side": "short", "rho": 1}  # nm
 CONTACTS = ["scan", "contact"]
 MICRO, MILLI, GIGA = 1e-6, 1e-3, 1e9
 #: A figure, the number of a panel, a dataset, and numbers of this dataset that the panel shows.
@@ -136,12 +136,7 @@ NUMBERS = [
     ("fig_classical", 1, "classical", lambda data: data.mean_relative_error),
     ("fig_elastic", 4, "elastic", lambda data: data.share_above_hardness),
     ("fig_elastic", 5, "elastic", lambda data: data.peak_pressure / GIGA),
-    (
-        "fig_edge_shifts",
-        0,
-        "edge_shifts",
-        lambda data: data.filtered_force_ratio.sel(RIGID_CASE),
-    ),
+    ("fig_edge_shifts", 0, "edge_shifts", lambda data: data.filtered_force_ratio.sel(RIGID_CASE)),
     ("fig_scales", 0, "topography", lambda data: data.isotropic_psd.mean("scan")),
     ("fig_octaves", 1, "band_forces", lambda data: data.band_force_ratio.sel(band="published")),
     ("fig_features", 0, "features", lambda data: data.median_force_at_pair / MICRO),

@@ -87,13 +87,13 @@ def ask(*command):
 
 
 def configure(folder):
-    """Write the configuration of a cluster of this machine, with the processors SLURM finds."""
+    """Write the files of a cluster of this machine, and set SLURM_CONF and PATH."""
     node = ask("slurmd", "-C")
     with socket.socket() as first_socket, socket.socket() as second_socket:
         ports = []
-        for free in (first_socket, second_socket):
-            free.bind(("127.0.0.1", 0))
-            ports.append(free.getsockname()[1])
+        for free_socket in (first_socket, second_socket):
+            free_socket.bind(("127.0.0.1", 0))
+            ports.append(free_socket.getsockname()[1])
     path = folder / "slurm.conf"
     path.write_text(
         CONFIGURATION.format(

@@ -1,4 +1,4 @@
-# Scans: substitutes where none was measured; all are then prepared and measured in the same way.
+# Scans, read or made as substitutes: levelled, mirrored, and their roughness computed.
 # Names in capitals that are not defined here: common.smk and surfaces.smk.
 
 from hardcontact.files.paths import any_name_pattern
@@ -99,7 +99,7 @@ rule prepare_scan:
 
 
 rule aggregate_topography:
-    """Measure rms metrics and power spectra of all scans, with averages: topography.nc."""
+    """Compute rms metrics and power spectra of all scans, with averages: topography.nc."""
     input:
         scans=FILES.paths(STORE.levelled_scans, PLAN.scan_ids),
         spectra=[FILES.spectrum_path(surface) for surface in SELECTION.surfaces],

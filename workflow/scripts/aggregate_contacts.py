@@ -5,5 +5,6 @@ from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters
-    surfaces = read_by_key(((surface,) for surface in params["surfaces"]), job.input.surfaces)
-    job.write(add_surface_names(stack(surfaces, ["surface"]), params), title=params["title"])
+    keys = [(surface,) for surface in params["surfaces"]]
+    contacts = stack(read_by_key(keys, job.input.surfaces), ["surface"])
+    job.write(add_surface_names(contacts, params), title=params["title"])

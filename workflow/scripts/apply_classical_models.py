@@ -1,4 +1,4 @@
-"""Effective work of adhesion, and classical models of rough adhesion for the pull-off forces."""
+"""Effective work of adhesion, and classical models for the published forces: classical.nc."""
 
 from hardcontact.base import published
 from hardcontact.base.dataset import read_dataset
@@ -12,7 +12,7 @@ with run_job(snakemake) as job:
         read_dataset(job.input.fit),
         constants["value"].to_dict(),
         published.read_table1(job.input.published_table1),
-        published.read_published_forces(job.input.published_pull_off, dtype=str),
+        published.read_published_forces(job.input.published_pull_off, dtype=str),  # as printed
         Sampling.from_parameters(job.parameters, "classical"),
     )
     title = "effective work of adhesion, and classical models of rough adhesion"

@@ -16,8 +16,8 @@ with run_job(snakemake) as job:
     table1 = published.read_table1(job.input.published_table1)
     sets = read_dataset(job.input.sets)
     claims = read_claims(job.input.claims)
-    claims = judge_claims(claims, datasets, constants, params["confidence"], sets)
+    judged_claims = judge_claims(claims, datasets, constants, params["confidence"], sets)
     substrates = datasets["edges"]["surface"].values.tolist()
     if changed_inputs(params["contact_inputs"], substrates, table1):
-        claims = claims.assign(verdict="", agreeing_share=math.nan)
-    job.write_text(claims.to_csv(index=False, float_format="%.6g"), "claims")
+        judged_claims = judged_claims.assign(verdict="", agreeing_share=math.nan)
+    job.write_text(judged_claims.to_csv(index=False, float_format="%.6g"), "claims")

@@ -126,7 +126,7 @@ class LogHandler(LogHandlerBase):
             self._say(self.format(record))
 
     def _plan(self, jobs: dict[str, int]) -> None:
-        """Show the number of planned jobs and about the time that they take."""
+        """Show the number of planned jobs, and an estimate of their time."""
         stages = read_stages(cost_column())
         self._planned = {**jobs}
         self._total = self._planned.pop("total")

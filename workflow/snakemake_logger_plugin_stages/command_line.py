@@ -34,11 +34,11 @@ def cost_column() -> str:
 def error_line(exception: str, message: str) -> str:
     """Return the line of an error before the first job, or an empty text for other errors."""
     if exception == "MissingRuleException":
-        return _missing_target(message.partition("produce ")[2].partition(" ")[0])
+        return _missing_target_line(message.partition("produce ")[2].partition(" ")[0])
     return f"error: {message.strip().splitlines()[-1]}" if message.startswith("Traceback") else ""
 
 
-def _missing_target(name: str) -> str:
+def _missing_target_line(name: str) -> str:
     """Return the line of a target that no rule makes: the target it resembles, or all targets."""
     from hardcontact.config.faults import spelling_question
     from hardcontact.report.figures.listing import PAPER_FIGURES
