@@ -79,7 +79,7 @@ def sample_inputs(bounds, seed, count):
     """Yield the inputs of the first `count` surfaces of a scrambled Sobol sequence in bounds."""
     points = qmc.Sobol(len(bounds), rng=np.random.default_rng(seed)).random_base2(7)[:count]
     for number, point in enumerate(points):
-        row = {"surface": number, "held_out": number // 2 % 2}
+        row = {"surface": number, "held_out": number // 2 % 2}  # every second pair is held out
         for (name, (low, high)), share in zip(bounds.items(), point, strict=True):
             is_linear = name in ("hurst", "hurst_change", "kind")
             row[name] = low + share * (high - low) if is_linear else low * (high / low) ** share

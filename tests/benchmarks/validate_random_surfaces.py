@@ -44,7 +44,7 @@ class Case(NamedTuple):
 
 
 def random_case(family, seed, pixels):
-    """Return a case; the scan has a number of pixels per row."""
+    """Return a random case of a family; `pixels` are the scan's per row, all lengths in nm."""
     rng = generator(seed, family)
     fine_pixel = _between(rng, 8, 40) / WIDE_PIXEL_WIDTH
     rolloff = pixels * _between(rng, 1 / 20, 1 / 2)
@@ -55,7 +55,7 @@ def random_case(family, seed, pixels):
     coarse = blocks.mean(axis=(1, 3)) if rng.uniform() < 0.5 else blocks[:, 1, :, 1]
     contact = Contact(
         radius=_between(rng, 10e3, 150e3),
-        rho=5.6,
+        rho=5.6,  # Range, work and hardness are the paper's.
         work=0.0463,
         preload=_between(rng, 1e-6, 30e-6),
         hardness=25e9,

@@ -1,4 +1,4 @@
-"""The edges of the band of substitutes: edges.nc."""
+"""The edges of the band of the paper's study: edges.nc."""
 
 from hardcontact.base.dataset import read_dataset
 from hardcontact.base.statistics import Sampling
