@@ -14,7 +14,7 @@ INTERVAL = re.compile(rf"{NUMBER} \[{NUMBER}, {NUMBER}\]")
 FOLDERS = ("workflow", "config", "tests", "resources")
 TEXTS = [README, *(path for folder in FOLDERS for path in sorted((ROOT / folder).rglob("*.md")))]
 MADE_BY_THE_USER = {
-    "config/mine.tsv", "config/my-coating.yaml", "config/several.tsv",
+    "config/bare-coated.yaml", "config/mine.tsv", "config/my-coating.yaml", "config/several.tsv",
     "resources/scans/my-scan.spm",
 }  # fmt: skip
 
