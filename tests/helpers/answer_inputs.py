@@ -221,12 +221,12 @@ def force(count=1):
     mean = FORCE * (RHOS / RANGE) ** -0.5 * np.array([2.0, 1.0])[:, None]
     mean = mean * np.arange(1, count + 1)[:, None, None]
     axes = ("surface", "contact_model", "rho")
-    spread = np.array([0.4, 0.7, 0.95, 1.25, 1.8])
+    quantiles_over_mean = np.array([0.4, 0.7, 0.95, 1.25, 1.8])
     data = xr.Dataset(
         between_multiples("force", axes, mean, (0.8, 1.25), units="N"),
         {"surface": surfaces, "contact_model": MODELS, "rho": RHOS, "quantile": QUANTILES},
     )
-    data["force_quantile"] = (*axes, "quantile"), mean[..., None] * spread
+    data["force_quantile"] = (*axes, "quantile"), mean[..., None] * quantiles_over_mean
     data["label"] = "surface", LABELS[:count]
     data["interval_source"] = "surface", ["scans"] * count
     data["interval_scans"] = "surface", [SCANS] * count

@@ -8,8 +8,8 @@ from measurements import random_map
 from repository import environment, run_snakemake
 from scan_files import write_nanoscope
 
-#: Height of a count of a Nanoscope file, in nm.
-COUNT = 0.1
+#: Height in nm of an integer of a Nanoscope file.
+HEIGHT_STEP = 0.1
 #: Range of adhesion in nm of the user's forces: a computed one.
 RANGE = 5.6
 #: Work of adhesion in J/m² of the user's forces.
@@ -59,7 +59,7 @@ def uncd_heights(rng, pixels=128, size=2500.0, rms=None):
 def write_spm(path, heights, size):
     """Write heights (y, x) in nm on square pixels as a Nanoscope file; size (nm) along x."""
     rows, columns = heights.shape
-    return write_nanoscope(path, np.round(heights / COUNT), (size, size * rows / columns))
+    return write_nanoscope(path, np.round(heights / HEIGHT_STEP), (size, size * rows / columns))
 
 
 def forces_on(adhesion, surface, rng):

@@ -24,7 +24,7 @@ def all_cautions(**others):
 
 @cache
 def codes_on_a_large_contact():
-    """The codes of the cautions on unchanged data, except that contacts have ten pixels."""
+    """The codes of the cautions on unchanged data, but with contacts of ten pixels, not four."""
     return {caution.code for caution in all_cautions(**change_forces(1000.0))}
 
 
@@ -108,6 +108,9 @@ def test_a_caution_is_given_with_its_numbers_only_where_it_applies(
 
 def test_surfaces_without_faults_have_no_grave_caution():
     assert not [caution for caution in all_cautions() if caution.grave]
+
+
+def test_few_patches_give_no_caution_on_intervals_of_quarters():
     assert not find_cautions("conditional_intervals", **change_forces(**FEW_PATCHES))
 
 

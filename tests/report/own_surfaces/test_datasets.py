@@ -11,6 +11,7 @@ from hardcontact.report.own_surfaces.datasets import (
 
 
 def select_first(data):
+    """The data of the first surface."""
     return data.sel(surface=SURFACES[0])
 
 

@@ -208,6 +208,7 @@ def _surface_head(surface: SurfaceAnswer, spectra: xr.Dataset) -> dict[str, Any]
     measurements = []
     for scan in split_measurements(spectra.sel(surface=surface.name)):
         limit = str(scan["limited_by"].item())
+        # The page shows a measurement without a limit as reliable nowhere.
         has_limit = scan["reliable"].any() or limit == OTHER_BODY
         measurements.append({
             "name": measurement_name(scan),

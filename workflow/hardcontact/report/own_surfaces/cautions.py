@@ -169,7 +169,7 @@ def _few_pixels_caution(force: xr.Dataset) -> Iterator[Caution]:
 
 
 def _hindcast_cautions(data: Datasets) -> Iterator[Caution]:
-    """Yield a caution with the hindcast ratio of each side, grave if the hindcast fails."""
+    """Yield a caution on the hindcast of each side that has one, grave if it fails."""
     if "hindcast_ratio" not in data.force:
         return
     for side in SIDES:

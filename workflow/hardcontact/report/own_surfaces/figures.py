@@ -36,7 +36,7 @@ KIND_COLOURS = {"map": "#332288", "line scan": "#882255", "description": "#99993
 UNRELIABLE_LOOK: style.Look = {"color": "#999999", "mfc": "white", "ls": "--"}
 JOINED_LOOK: style.Look = {"color": "black", "ls": ":", "lw": 1.8, "zorder": 3}
 FITS_ALL_LOOK: style.Look = {"color": "0.3", "ls": "--", "marker": "", "label": "fits all"}
-#: Most measurements with unreliable parts of spectra drawn: more curves hide each other.
+#: With more measurements only reliable parts of spectra are drawn, because curves hide each other.
 MAX_UNRELIABLE_CURVES = 3
 #: Fewest symbols on a curve of more points.
 MIN_SYMBOLS = 12

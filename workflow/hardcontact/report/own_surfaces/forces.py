@@ -192,7 +192,7 @@ def _octave_amplitudes(data: Datasets, octaves: Floats) -> Floats:
 
 
 def measured_numbers(fit: xr.Dataset, data: Datasets) -> list[Number]:
-    """Return the measured force of one surface and the works, also extrapolated, that fit it."""
+    """Return a surface's measured force, and works that fit it, also on extrapolated roughness."""
     fit_at_range = fit.sel(rho_fine=fit.attrs["rho"], method="nearest")
     numbers = [
         number_of(fit, "measured_force", source="measured"),
