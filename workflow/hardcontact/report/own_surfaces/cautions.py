@@ -238,7 +238,7 @@ def _contradiction_caution(spectra: xr.Dataset) -> Iterator[Caution]:
 
 
 def _excess_roughness_caution(spectra: xr.Dataset) -> Iterator[Caution]:
-    """Yield a caution if extrapolated roughness far exceeds that in the scans, perhaps smoothed."""
+    """Yield a caution if extrapolated power exceeds MAX_POWER_RATIO times that in the scans."""
     q = spectra["bin_wavevector"].values
     wavelength = 2 * np.pi / q
     scans = drop_padding(spectra)

@@ -33,7 +33,7 @@ class Conclusion(NamedTuple):
     #: - few_patches: contacts touch too few patches;
     #: - unresolved: no cutoff changes the force;
     #: - unknown: a hindcast fails, or the filter makes ripples;
-    #: - overlapping: short or long waves alone give the force;
+    #: - overlapping: short waves alone give the force, and so do long waves alone;
     #: - found: any other case, even if an edge is only a bound.
     band_status: str
     short_edge: Number
