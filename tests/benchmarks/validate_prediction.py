@@ -92,8 +92,8 @@ def sample_inputs(bounds, seed, count):
 def grid(row):
     """Return the grid that holds the waves that matter, and the area of whole pixels on it.
 
-    If such a grid exists, the root of the contact area is twelve pixels long, and the surface is at
-    least three roll-offs wide and six times as wide as the region where the sphere finds summits.
+    If such a grid exists, the root of the contact area is at least twelve pixels long, and the
+    surface at least as wide as three roll-offs and six times the `summit_distance`.
     """
     # Here the sphere is a third of the rms height above its apex.
     summit_distance = np.sqrt(2 * row["radius"] * row["rms_height"] / 3)
@@ -129,14 +129,14 @@ def spectrum_of(row):
     if row["kind"] == STEEP:
         density = varying_hurst(WAVEVECTORS, 1.0, rolloff, hurst, row["hurst_change"])
     density = np.where(2 * np.pi / WAVEVECTORS >= row["shortest"], density, 0.0)
-    height = np.sqrt(np.trapezoid(density * WAVEVECTORS**2, np.log(WAVEVECTORS)) / (2 * np.pi))
-    return Spectrum(WAVEVECTORS, density * (row["rms_height"] / height) ** 2)
+    rms_height = np.sqrt(np.trapezoid(density * WAVEVECTORS**2, np.log(WAVEVECTORS)) / (2 * np.pi))
+    return Spectrum(WAVEVECTORS, density * (row["rms_height"] / rms_height) ** 2)
 
 
 def compute_row(row):
     """Return the mean force (N at 1 J/m²), the standard error of its logarithm, and both edges."""
     spectrum, size, pixels = spectrum_of(row), row["size"], row["pixels"]
-    # Cutoffs from the shortest to nearly the longest waves.
+    # From nearly the shortest wave to about half the width of the surface.
     cutoffs = np.geomspace(1.15 * row["shortest"], size / 2.2, CUTOFF_COUNT)
     # At the ends of this width the sphere is 18 ranges, or 18 rms heights, above its apex.
     attraction_width = 12 * np.sqrt(row["radius"] * max(row["rho"], row["rms_height"]))

@@ -5,6 +5,5 @@ from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters
-    keys = [(surface,) for surface in params["surfaces"]]
-    contacts = stack(read_by_key(keys, job.input.surfaces), ["surface"])
-    job.write(add_surface_names(contacts, params), title=params["title"])
+    contacts = read_by_key(((surface,) for surface in params["surfaces"]), job.input.surfaces)
+    job.write(add_surface_names(stack(contacts, ["surface"]), params), title=params["title"])

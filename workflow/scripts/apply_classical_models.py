@@ -15,5 +15,4 @@ with run_job(snakemake) as job:
         published.read_published_forces(job.input.published_pull_off, dtype=str),  # as printed
         Sampling.from_parameters(job.parameters, "classical"),
     )
-    title = "effective work of adhesion, and classical models of rough adhesion"
-    job.write(comparison, title)
+    job.write(comparison, "effective work of adhesion, and classical models of rough adhesion")
