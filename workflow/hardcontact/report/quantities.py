@@ -66,7 +66,7 @@ def number_without_value(name: str, low: float, high: float, unit: str = "1") ->
 def all_quantities(
     study_numbers: Iterable[Number], surface_numbers: Mapping[str, Iterable[Number]]
 ) -> list[dict[str, Any]]:
-    """Return the numbers of the whole study, then of each surface, as the list of answer.json."""
+    """Return the numbers of the whole study, then of each surface, as the rows of answer.json."""
     return [
         {"surface": surface, **json_value(number)}
         for surface, numbers in {"": study_numbers, **surface_numbers}.items()
@@ -75,7 +75,7 @@ def all_quantities(
 
 
 def numbers_of_answer(answer: Mapping[str, Any], surface: str = "") -> dict[str, Number]:
-    """Return the numbers of one surface, or of the whole study, in answer.json by name."""
+    """Return the numbers in answer.json of one surface, or of the whole study, by name."""
     numbers = {}
     for quantity in answer["quantities"]:
         if quantity["surface"] == surface:
