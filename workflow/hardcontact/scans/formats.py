@@ -41,7 +41,7 @@ TIP_RADIUS_IN_WORDS = re.compile(
 def read_fields(
     content: bytes, dataset: str, undefined_pixels: str, unit: str, map_size: float | str, mask: str
 ) -> dict[str, Any]:
-    """Return the fields of a `HeightMap` but its path; the arguments are as in `api.read_scan`."""
+    """Return fields of a `HeightMap` from a file; the options are as in `api.read_scan`."""
     reader, container_metadata, notes = open_scan(content, dataset)
     unit = unit.replace("angstrom", "Å")
     channel, channel_notes = _find_height_channel(
@@ -250,7 +250,7 @@ def _named_channel(channels: list[Any], height_channels: list[Any], name: str) -
 
 
 def _unit_in_words(channel: Any) -> str:
-    """Return the unit of the values of a channel, the second of two units."""
+    """Return the unit of the values of a channel, the second if it has two."""
     unit = channel.unit[1] if isinstance(channel.unit, tuple) else channel.unit
     return str(unit or "of no stated unit")
 

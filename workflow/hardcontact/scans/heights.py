@@ -16,8 +16,8 @@ from hardcontact.base.formatting import format_length, format_share
 PIXEL_BOUNDS = (16, 8192)
 #: Least and largest number of points of a line scan, as read and as resampled.
 POINT_BOUNDS = (16, 2**20)
-#: Widths of pixels and differences of height in nm, 1 pm to 1 cm: the range of all microscopes. A
-#: damaged header may state any number.
+#: Bounds of pixel widths, height differences and tip radii in nm, 1 pm to 1 cm: the range of all
+#: microscopes. A damaged header may state any number.
 LENGTH_BOUNDS = (1e-3, 1e7)
 #: Largest relative difference between the widths of a square pixel: files round them.
 MAX_ASPECT_DEVIATION = 1e-3
@@ -70,7 +70,7 @@ def unit_in_nm(unit: str) -> float:
 def _scan_fields(
     heights: Floats, pixel_size: float, notes: list[str], undefined_count: int
 ) -> dict[str, Any]:
-    """Return the arguments as fields of a `HeightMap`, lengths in nm; refuse impossible lengths."""
+    """Return the arguments (nm) as fields of a `HeightMap`; refuse impossible numbers."""
     minimum, maximum = LENGTH_BOUNDS
     # An offset larger than any relief is the position of a stage. Beyond minimum / eps, heights
     # have lost their digits.

@@ -1,7 +1,6 @@
 """Rewrite plain text of scans for the readers of SurfaceTopography.
 
-The readers expect UTF-8, decimal points, and a matrix separated by blanks or a complete grid of
-points x, y, height.
+The readers expect UTF-8, decimal points, blanks between numbers, and complete grids of points.
 """
 
 import codecs
@@ -19,23 +18,23 @@ from hardcontact.scans.heights import MAX_UNDEFINED_SHARE, PIXEL_BOUNDS, POSITIO
 BINARY = re.compile(rb"[\0-\x08\x0e-\x1f]")
 #: A line or a cell of numbers and marks of undefined pixels.
 NUMBERS = re.compile(r"(?=.*(?:\d|nan|bad))(?:[-+.,;\s\d]|e(?=[-+\d])|nan|inf|bad)+", re.I)
-#: A comma that may be decimal, a comma that separates numbers, and other signs between numbers.
+#: A comma that may be decimal, a comma that separates cells, and other signs between cells.
 DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")
-OTHER_COMMA = re.compile(r"(?<!\d),|,(?!\d)|,\d+,")
+CELL_COMMA = re.compile(r"(?<!\d),|,(?!\d)|,\d+,")
 BETWEEN_CELLS = re.compile(r"\d[ \t;]+[-+\d]")
 #: A number or a word of a row.
 CELL = re.compile(r"[^\s,;]+")
 #: Columns of points x, y, height in a text: a matrix has more.
 POINT_COLUMNS = 3
-#: Beginnings of texts whose readers know their own separators.
+#: Beginnings of texts whose separators their readers know.
 OWN_SEPARATORS = ("X;Y;valid", "Scan Parameters")
 #: Bins of positions along an axis: eight for each line of the largest map.
 POSITION_BINS = 2**16
 #: Zeros pad the histogram of positions to this multiple of its length before its Fourier transform.
 #: Peaks are then known to a sixteenth of a line.
 ZERO_PADDING = 8
-#: Corrections of heights on a grid. Each leaves at most a quarter of the error, if points lie a
-#: tenth of a spacing beside the grid.
+#: Number of corrections of heights on a grid. Each leaves at most a quarter of the error, if points
+#: lie a tenth of a spacing beside the grid.
 SPLINE_ITERATIONS = 10
 
 
@@ -45,16 +44,16 @@ def readable_text(content: bytes) -> tuple[bytes, list[str]]:
     if text is None:
         return content, []
     lines = text.splitlines()
-    first_row = next((index for index, line in enumerate(lines) if NUMBERS.fullmatch(line)), None)
-    if first_row is None:
+    rows_start = next((index for index, line in enumerate(lines) if NUMBERS.fullmatch(line)), None)
+    if rows_start is None:
         return content, []
-    column_count = len(CELL.findall(lines[first_row]))
-    lines[first_row:] = [_mark_undefined(line, column_count) for line in lines[first_row:]]
+    column_count = len(CELL.findall(lines[rows_start]))
+    lines[rows_start:] = [_mark_undefined(line, column_count) for line in lines[rows_start:]]
     row_indices = [index for index, line in enumerate(lines) if NUMBERS.fullmatch(line)]
     notes = []
-    numbers = "\n".join(lines[index] for index in row_indices)
-    commas_look_decimal = "," in numbers and "." not in numbers and not OTHER_COMMA.search(numbers)
-    if commas_look_decimal and BETWEEN_CELLS.search(numbers):
+    rows_text = "\n".join(lines[index] for index in row_indices)
+    lacks_points = "," in rows_text and "." not in rows_text
+    if lacks_points and BETWEEN_CELLS.search(rows_text) and not CELL_COMMA.search(rows_text):
         lines = [DECIMAL_COMMA.sub(".", line) for line in lines]
         notes.append("decimal commas read")
     if not text.startswith(OWN_SEPARATORS):
@@ -63,7 +62,7 @@ def readable_text(content: bytes) -> tuple[bytes, list[str]]:
         grid_rows, grid_notes = ([], []) if points is None else _grid_points(points)
         notes += grid_notes
         if grid_rows:
-            lines = [*lines[:first_row], *grid_rows]
+            lines = [*lines[:rows_start], *grid_rows]
         else:
             for index, row in zip(row_indices, rows, strict=True):
                 lines[index] = row
@@ -117,8 +116,8 @@ def _parse_points(rows: list[str]) -> Floats | None:
 def _grid_points(points: Floats) -> tuple[list[str], list[str]]:
     """Return texts "x y height" of all points of a grid, with nan for missing points, and notes.
 
-    Return no texts if points (n, 3) are a complete grid, fill less than half of one, or share a
-    pixel.
+    Return no texts if points (n, 3) are a complete grid, lie on none, share a pixel, or fill less
+    than half.
     """
     axes = [_grid_axis(positions) for positions in points[:, :2].T]
     if not all(len(axis) for axis in axes):
@@ -152,7 +151,7 @@ def _grid_points(points: Floats) -> tuple[list[str], list[str]]:
 def _heights_on_grid(heights: Floats, indices: NDArray[np.intp], offsets: Floats) -> Floats:
     """Return heights (x, y) on a grid, whose cubic spline has given heights at points beside it.
 
-    Given are heights (x, y), NaN without a point, and the pixels and offsets (n, 2) of the points.
+    `heights` are NaN without a point; `indices` and `offsets` (n, 2) of the points are in pixels.
     """
     is_missing = np.isnan(heights)
     nearest = ndimage.distance_transform_edt(

@@ -48,9 +48,9 @@ class ReadingOptions(NamedTuple):
     tip_radius: float | None = None  #: In nm.
     unit: str = "none"  #: Unit of length, or units of positions and of heights.
     map_size: float | str = "none"  #: Longer side in nm.
-    levelling: str = "plane"
+    levelling: str = "plane"  #: One of LEVELLING_METHODS.
     mask: str = "keep"  #: One of MASKS.
-    undefined_pixels: str = "harmonic"  #: They are filled, so that the scan can be measured.
+    undefined_pixels: str = "harmonic"  #: It fills them; "refuse" refuses the scan.
 
     def read_scan(self, path: str | Path, dataset: str) -> HeightMap:
         """Read a scan, not levelled; later steps use the tip radius and the levelling."""
@@ -83,7 +83,7 @@ def read_scan(
 
 def list_scans(path: str | Path) -> list[str]:
     """Return the names of a container's data files, or one empty name for any other file."""
-    # A file that is no archive needs no child, which `read_scan` starts for it.
+    # `read_scan` refuses a missing file.
     if not (Path(path).is_file() and zipfile.is_zipfile(path)):
         return [""]
     from hardcontact.scans.open_file import list_datasets
