@@ -27,7 +27,7 @@ HALF_BIN_RATIO = 10**0.05
 
 
 def combine_maps(rng: np.random.Generator, substrate: HeightMap, sphere: HeightMap) -> HeightMap:
-    """Return the mirrored sum of a mirrored substrate and a mirrored sphere, shifted at random."""
+    """Return the mirrored sum of both mirrored maps, that of the sphere shifted at random."""
     sphere_pixels = round(sphere.size / substrate.pixel_size)
     if sphere_pixels < sphere.pixels:  # Larger pixels cannot show waves below two of them.
         sphere = lowpass(sphere, sphere.size / (sphere_pixels // 2 - 1))
@@ -46,9 +46,10 @@ def combine_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
     density = substrate_density + sphere_density
     with np.errstate(invalid="ignore"):
         share = sphere_density / density
-    is_sphere = sphere_density > substrate_density
+    sphere_dominates = sphere_density > substrate_density
     measurements = xr.concat(
-        [_limit_to_dominant(substrate, ~is_sphere), _limit_to_dominant(sphere, is_sphere)],
+        [_limit_to_dominant(substrate, ~sphere_dominates),
+         _limit_to_dominant(sphere, sphere_dominates)],
         "measurement", data_vars="minimal", coords="minimal", compat="override",
     )  # fmt: skip
     reliable = measurements["reliable"].values == 1
@@ -60,8 +61,8 @@ def combine_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
     reliable_measurements = measurements.isel(measurement=reliable.any(axis=1))
     shortest = float(reliable_measurements["shortest_reliable"].min())
     longest = float(reliable_measurements["longest_reliable"].max())
-    short_body = sphere if is_sphere[nearest_bin(shortest)] else substrate
-    long_body = sphere if is_sphere[nearest_bin(longest)] else substrate
+    short_body = sphere if sphere_dominates[nearest_bin(shortest)] else substrate
+    long_body = sphere if sphere_dominates[nearest_bin(longest)] else substrate
     joined_psd = np.where(reliable.any(axis=0), density, np.nan)
     return measurements.assign(
         spectrum=_sum_of_spectra(substrate, sphere),
@@ -117,9 +118,8 @@ def combine_sampled_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dat
     variances = [all_scales_rms(spectrum_of_dataset(body))[0] ** 2 for body in bodies]
     squared_factors = [float(body.attrs["height_factor"]) ** 2 for body in bodies]
     factor = float(np.sqrt(np.average(squared_factors, weights=variances)))
-    return xr.Dataset(
-        {"spectrum": _sum_of_spectra(substrate, sphere)}, attrs={"height_factor": factor}
-    )
+    spectrum = _sum_of_spectra(substrate, sphere)
+    return xr.Dataset({"spectrum": spectrum}, attrs={"height_factor": factor})
 
 
 def _sum_of_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.DataArray:

@@ -61,7 +61,7 @@ SIDEWALL_PIXEL_SHARE = 0.05
 #: 0.45 on rough surfaces, 0.8 to 1 with pillars and steps.
 MIN_SIDEWALL_SLOPE_SHARE = 0.7
 #: A lay has more than this ratio of the variance of profiles along its wavevector to the variance
-#: across, or of squared slopes.
+#: across; the defect "slopes", of squared slopes.
 MIN_LAY_RATIO = 3.0
 #: Least share of a lay in the variance of heights: smaller ones are drift and noise of lines. Of
 #: 5400 self-affine maps without a roll-off (H from 0.5 to 1), two exceed ratio and share.
@@ -240,7 +240,7 @@ def _find_line_patterns(heights: Floats, power: Floats, pixel_size: float) -> di
 
 
 def _find_lay(power: Floats) -> tuple[Defect, float]:
-    """Return a lay, and the ratio of squared slopes along the steepest direction to across it."""
+    """Return a lay, and the ratio of squared slopes, along the steepest direction to across."""
     pixels = len(power)
     waves = np.fft.fftfreq(pixels, 1 / pixels)
     wavevector = waves + 1j * waves[:, None]  # x + iy, in waves across the map
@@ -248,15 +248,15 @@ def _find_lay(power: Floats) -> tuple[Defect, float]:
     is_resolved = (MIN_WAVES <= wavenumber) & (wavenumber <= pixels / MIN_PIXELS_PER_WAVE)
     # Opposite wavevectors have the same square.
     squares = power[is_resolved] * (wavevector[is_resolved] / wavenumber[is_resolved]) ** 2
-    lay_direction = np.exp(0.5j * np.angle(squares.sum()))  # of the wavevector
+    lay_wavevector = np.exp(0.5j * np.angle(squares.sum()))  # of unit length
 
     def profile_variance(direction: complex) -> float:
         component = np.abs((wavevector * np.conj(direction)).real)
         is_in_profile = (MIN_WAVES <= component) & (component <= pixels / MIN_PIXELS_PER_WAVE)
         return float(power[is_in_profile].sum())
 
-    variance_along = profile_variance(lay_direction)
-    variance_across = profile_variance(1j * lay_direction)
+    variance_along = profile_variance(lay_wavevector)
+    variance_across = profile_variance(1j * lay_wavevector)
     is_lay = variance_along > max(MIN_LAY_RATIO * variance_across, MIN_LAY_SHARE * power.sum())
     lay = {"lay_ratio": _limited_ratio(variance_along, variance_across)} if is_lay else {}
     squared_slopes = (power * wavenumber**2)[is_resolved].sum()

@@ -194,7 +194,7 @@ def _find_tail_end(density: Floats) -> tuple[int, TailEnd]:
 
 
 def extrapolate_long_waves(density: Floats, longest: float, slope: float, rolloff: float) -> Floats:
-    """Return C_iso with a slope d ln C/d ln q, of -4 to 0, from `longest` (nm) to the roll-off."""
+    """Return C_iso with d ln C/d ln q = `slope`, clipped to -4 to 0, up to `rolloff` (nm)."""
     relative = np.maximum(2 * np.pi / WAVEVECTORS / longest, 1.0)
     exponent = -np.clip(slope, STEEPEST_SELF_AFFINE_SLOPE, 0.0)
     return np.asarray(density * np.minimum(relative, max(rolloff / longest, 1.0)) ** exponent)

@@ -1,7 +1,7 @@
 """The reliable wavelengths of a scan, which show the surface.
 
 Toward long wavelengths they end at a third of the size. Toward short wavelengths they end at the
-longest of four: four pixels, the cutoff of the tip (Sanner et al., Appl. Surf. Sci. Adv. 7 (2022)
+longest of these: four pixels, the cutoff of the tip (Sanner et al., Appl. Surf. Sci. Adv. 7 (2022)
 100190), a noise floor, or smoothing by the microscope.
 
 - A noise floor is flatter than q^-2 (H = 0).
