@@ -17,7 +17,7 @@ SIZE = PIXELS * PIXEL
 Y, X = np.indices((PIXELS, PIXELS)) * PIXEL - SIZE / 2
 
 
-def rough(seed, rms_height, hurst=0.7, rolloff=SIZE / 10):
+def rough_heights(seed, rms_height, hurst=0.7, rolloff=SIZE / 10):
     """Return heights (y, x) of a self-affine map with a mean of zero; all lengths in nm."""
     heights = self_affine_heights(generator(seed), PIXELS, PIXEL, rms_height, hurst, rolloff)
     return heights - heights.mean()
@@ -28,7 +28,7 @@ def defects_of(heights):
 
 
 def map_with_spikes(seed, share):
-    heights = rough(seed, 12.0)
+    heights = rough_heights(seed, 12.0)
     rng = generator(seed + 1)
     positions = rng.choice(heights.size, round(share * heights.size), replace=False)
     heights.flat[positions] += rng.choice([-1, 1], len(positions)) * rng.uniform(
@@ -39,7 +39,7 @@ def map_with_spikes(seed, share):
 
 def map_with_streaks(seed, sign):
     """Return a rough map with streaks of 25 nm on lines 10, 11 and 90, counted from 1."""
-    heights = rough(seed, 3.0)
+    heights = rough_heights(seed, 3.0)
     for line, start, length in ((9, 20, 30), (10, 35, 12), (89, 60, 25)):
         heights[line, start : start + length] += sign * 25
     return heights
@@ -47,34 +47,34 @@ def map_with_streaks(seed, sign):
 
 def stopped_scan(seed, lines, filling, axis=0):
     """Return a map that is measured on its first lines only, and then zero or the last line."""
-    heights = rough(seed, 5.0) + 40
+    heights = rough_heights(seed, 5.0) + 40
     heights[lines:] = heights[lines - 1] if filling == "repeated" else 0.0
     return heights if axis == 0 else heights.T
 
 
-def grating(period, degrees):
+def map_with_grating(period, degrees):
     angle = np.radians(degrees)
     wave = np.cos(2 * np.pi * (X * np.cos(angle) + Y * np.sin(angle)) / period)
-    return 15 * wave + rough(9, 0.7)
+    return 15 * wave + rough_heights(9, 0.7)
 
 
 def curved_map(seed, rms_height, radius_x, radius_y):
-    return rough(seed, rms_height) - X**2 / (2 * radius_x) - Y**2 / (2 * radius_y)
+    return rough_heights(seed, rms_height) - X**2 / (2 * radius_x) - Y**2 / (2 * radius_y)
 
 
-def map_with_pillars(rng):
+def map_with_pillars(seed):
     """Return a map with round pillars of 40 nm on a floor of 1 nm rms height."""
-    centres = rng.uniform(0, PIXELS, (60, 2))
+    centres = generator(seed).uniform(0, PIXELS, (60, 2))
     rows, columns = np.indices((PIXELS, PIXELS))
     is_pillar = np.zeros((PIXELS, PIXELS), bool)
     for y, x in centres:
         is_pillar |= (rows - y) ** 2 + (columns - x) ** 2 < 9
-    return 40.0 * is_pillar + rough(51, 1.0)
+    return 40.0 * is_pillar + rough_heights(51, 1.0)
 
 
-ROUGH = rough(3, 6.0)
+ROUGH = rough_heights(3, 6.0)
 #: Isotropic long waves, and a short wave along y with an amplitude of 2.5 nm, five pixels long.
-LONG_WAVES = gaussian_filter(rough(45, 1.0), 6, mode="wrap")
+LONG_WAVES = gaussian_filter(rough_heights(45, 1.0), 6, mode="wrap")
 LONG_WAVES *= 6 / LONG_WAVES.std()
 SHORT_WAVE = 2.5 * np.cos(2 * np.pi * Y / (5 * PIXEL))
 #: Rms slope along y of both, from the steps of the short wave between pixels.
@@ -107,21 +107,23 @@ CASES = {
     ),
     "bow": (curved_map(32, 0.5, -60e3, -120e3), {"curvature": (60e3, None)}),
     "cylinder": (curved_map(33, 0.5, 1e5, np.inf), {"curvature": (1e5, None)}),
-    "grating": (grating(300, 0), {"lay": (None,)}),
-    "oblique grating": (grating(700, 45), {"lay": (None,)}),
+    "grating": (map_with_grating(300, 0), {"lay": (None,)}),
+    "oblique grating": (map_with_grating(700, 45), {"lay": (None,)}),
     "step": (
-        np.where(X > SIZE / 8, 18.0, 0.0) + rough(41, 0.6), {"lay": (None,), "sidewalls": (None,)}
+        np.where(X > SIZE / 8, 18.0, 0.0) + rough_heights(41, 0.6),
+        {"lay": (None,), "sidewalls": (None,)},
     ),
     "offset lines": (
-        rough(43, 0.2) + generator(44).normal(0, 0.3, (PIXELS, 1)), {"offset_lines": (0.3,)},
+        rough_heights(43, 0.2) + generator(44).normal(0, 0.3, (PIXELS, 1)),
+        {"offset_lines": (0.3,)},
     ),
     "noise": (
-        rough(46, 0.2, 1.0, SIZE / 4) + generator(47).normal(0, 0.1, X.shape),
+        rough_heights(46, 0.2, 1.0, SIZE / 4) + generator(47).normal(0, 0.1, X.shape),
         {"noise": (0.1, 0.2)},
     ),
     "lay of short waves": (LONG_WAVES + SHORT_WAVE, {"slopes": (None, SHORT_SLOPE)}),
     "lay": (gaussian_filter(generator(42).standard_normal(X.shape), (12, 2)), {"lay": (None,)}),
-    "pillars": (map_with_pillars(generator(62)), {"sidewalls": (None,)}),
+    "pillars": (map_with_pillars(62), {"sidewalls": (None,)}),
 }  # fmt: skip
 
 
@@ -138,7 +140,7 @@ def test_each_defect_is_named_with_its_numbers(case):
 
 def map_with_wide_streak(seed):
     """Return a rough map with a streak of 25 nm on three neighbouring lines."""
-    heights = rough(seed, 3.0)
+    heights = rough_heights(seed, 3.0)
     heights[40:43, 30:60] += 25
     return heights
 
@@ -150,7 +152,7 @@ def map_with_wide_streak(seed):
 )
 def test_levelling_of_lines_fills_streaks(heights, largest_error):
     flat = level_and_list_defects(measurement(heights, PIXEL), levelling="lines")
-    sound = level_and_list_defects(measurement(rough(14, 3.0), PIXEL), levelling="lines")
+    sound = level_and_list_defects(measurement(rough_heights(14, 3.0), PIXEL), levelling="lines")
     errors = np.abs(flat.heights - sound.heights)
     assert (errors < 0.2).mean() > 0.99 and errors.max() < largest_error
     assert not flat.defects and "3 lines" in flat.notes[-1] and not sound.notes
@@ -167,19 +169,19 @@ def test_no_self_affine_surface_has_a_defect(batch):
 
 
 def map_with_bumps(seed):
-    scan = measurement(rough(seed, 5.0), PIXEL)
+    scan = measurement(rough_heights(seed, 5.0), PIXEL)
     bumps = Features(number_density=3.0, height=35.0, width=40.0, base_factor=1.0, counts=(20,))
     return add_features(generator(seed), scan, bumps, 20).heights
 
 
 SOUND_SCANS = {
     "bumps": map_with_bumps(61),
-    "heavy tail": np.exp(rough(63, 0.6)),
+    "heavy tail": np.exp(rough_heights(63, 0.6)),
     "noise": generator(64).standard_normal((PIXELS, PIXELS)),
-    "few levels": np.round(rough(65, 0.05), 1),
-    "levels": np.round(rough(66, 1.0)),
+    "few levels": np.round(rough_heights(65, 0.05), 1),
+    "levels": np.round(rough_heights(66, 1.0)),
     "line": generator(67).normal(0, 0.05, 64),
-    "rounded line": np.round(rough(68, 1.0)[0], 1),
+    "rounded line": np.round(rough_heights(68, 1.0)[0], 1),
     "flat line": np.zeros(64),
 }
 

@@ -36,17 +36,16 @@ def write_zip(path, files):
             target.writestr(name, content)
 
 
-def matrix_text(values):
-    """Return the text of a matrix."""
+def matrix_text(heights):
     lines = io.StringIO()
-    np.savetxt(lines, values)
+    np.savetxt(lines, heights)
     return lines.getvalue()
 
 
-def meta_yml(dataset="a.txt", **other):
-    """Return the list of a container of one scan, called one."""
+def meta_yml(dataset="a.txt", **changes):
+    """Return the list of a container of one scan, called "one"."""
     entry = {"name": "one", "datafile": {"original": dataset}, "size": [320, 320], "unit": "nm"}
-    return yaml.safe_dump({"surfaces": [{"topographies": [entry | other]}]})
+    return yaml.safe_dump({"surfaces": [{"topographies": [entry | changes]}]})
 
 
 def write_one_scan(path, content, dataset="a.txt"):
@@ -95,8 +94,8 @@ def add_too_many_pixels(file, _):
 
 def write_pickled_array(path):
     with open(path, "wb") as file:
-        values = np.array([[Payload(path.parent / "made")] * 32] * 32, object)
-        np.save(file, values, allow_pickle=True)
+        payloads = np.array([[Payload(path.parent / "made")] * 32] * 32, object)
+        np.save(file, payloads, allow_pickle=True)
 
 
 #: Bytes from the start of an entry in the directory of a zip to its flags and to its file's size.
@@ -120,12 +119,11 @@ def write_huge_file(path):
     os.truncate(path, reading.MAX_FILE_BYTES + 1)
 
 
+#: Lists in YAML, a0 to a11, each nine times its predecessor: *a11 has 9^11 letters.
 ALIASES = "a0: &a0 [x]\n" + "".join(
     f"a{k}: &a{k} [{', '.join([f'*a{k - 1}'] * 9)}]\n" for k in range(1, 12)
 )
-
-
-#: A list of one scan whose unit is a list of 9^11 letters.
+#: A list of one scan whose unit is such a list.
 ALIASED_UNIT = ALIASES + (
     "surfaces: [{topographies: "
     "[{name: one, datafile: {original: a.txt}, size: [320, 320], unit: *a11}]}]\n"

@@ -31,16 +31,16 @@ ROWS_IN_METRES = matrix("\t", "{:.6e}", 1e-9)
 
 
 @pytest.mark.parametrize(
-    ("encoding", "comma"),
+    ("encoding", "has_commas"),
     [("utf-8", False), ("utf-8-sig", True), ("latin-1", True), ("utf-16", False)],
 )
-def test_a_matrix_with_a_header_is_read_in_every_encoding(tmp_path, encoding, comma):
-    header = [line if comma else line.replace(",", ".") for line in HEADER]
-    lines = [*header, *(use_decimal_commas(ROWS_IN_METRES) if comma else ROWS_IN_METRES)]
-    measurement = read_scan(write_lines(tmp_path / "a.txt", lines, encoding, "\r\n"))
-    assert measurement.pixel_size == pytest.approx(10.0)
-    np.testing.assert_allclose(measurement.heights, MAP, atol=1e-4)
-    assert measurement.notes == (("decimal commas read",) if comma else ())
+def test_a_matrix_with_a_header_is_read_in_every_encoding(tmp_path, encoding, has_commas):
+    header = [line if has_commas else line.replace(",", ".") for line in HEADER]
+    lines = [*header, *(use_decimal_commas(ROWS_IN_METRES) if has_commas else ROWS_IN_METRES)]
+    scan = read_scan(write_lines(tmp_path / "a.txt", lines, encoding, "\r\n"))
+    assert scan.pixel_size == pytest.approx(10.0)
+    np.testing.assert_allclose(scan.heights, MAP, atol=1e-4)
+    assert scan.notes == (("decimal commas read",) if has_commas else ())
 
 
 MATRICES = {
@@ -63,9 +63,9 @@ def test_a_bare_matrix_is_read_with_its_size_and_unit(tmp_path, name):
     message = refusal(read_scan, path, map_size=240.0)
     assert_says(message, "expected a unit of length", "--unit nm")
     assert "--size" not in message
-    measurement = read_scan(path, unit="nm", map_size=240.0)
-    assert measurement.pixel_size == pytest.approx(10.0)
-    np.testing.assert_allclose(measurement.heights, MAP, atol=1e-4)
+    scan = read_scan(path, unit="nm", map_size=240.0)
+    assert scan.pixel_size == pytest.approx(10.0)
+    np.testing.assert_allclose(scan.heights, MAP, atol=1e-4)
     coarse = read_scan(path, unit="mm,nm", map_size=480.0)  # the unit of positions is not used
     assert coarse.pixel_size == pytest.approx(20.0)
     np.testing.assert_allclose(coarse.heights, MAP, atol=1e-4)
@@ -77,8 +77,8 @@ def test_the_given_size_is_the_longer_side_of_files_without_a_size(tmp_path):
     path = write_lines(
         tmp_path / "b.txt", [*(line.replace(",", ".") for line in HEADER), *ROWS_IN_METRES]
     )
-    measurement = read_scan(path, unit="m", map_size=240.0)
-    assert measurement.pixel_size == pytest.approx(10.0) and measurement.notes == ()
+    scan = read_scan(path, unit="m", map_size=240.0)
+    assert scan.pixel_size == pytest.approx(10.0) and scan.notes == ()
 
 
 @pytest.mark.parametrize("word", ["", "nan", "***", "undefined"])
@@ -86,11 +86,11 @@ def test_empty_cells_and_words_are_undefined_pixels(tmp_path, word):
     rows = matrix(";")
     rows[3] = rows[3].replace(rows[3].split(";")[5], word, 1)
     path = write_lines(tmp_path / "a.csv", rows)
-    measurement = read_scan(path, undefined_pixels="harmonic", unit="nm", map_size=240.0)
-    assert measurement.undefined_count == 1
+    scan = read_scan(path, undefined_pixels="harmonic", unit="nm", map_size=240.0)
+    assert scan.undefined_count == 1
     defined = np.ones((PIXELS, PIXELS), bool)
     defined[3, 5] = False
-    np.testing.assert_allclose(measurement.heights[defined], MAP[defined], atol=1e-4)
+    np.testing.assert_allclose(scan.heights[defined], MAP[defined], atol=1e-4)
 
 
 Y, X = (10.0 * axis.ravel() for axis in np.indices((PIXELS, PIXELS)))
@@ -108,29 +108,29 @@ def test_missing_points_are_undefined_pixels(tmp_path, separator, step):
     points = np.delete(POINTS, GAPS, axis=0)[::step]
     path = write_points(tmp_path / "a.xyz", points, separator)
     assert_says(refusal(read_scan, path, unit="nm"), "undefined", "found 30")
-    measurement = read_scan(path, undefined_pixels="harmonic", unit="nm")
-    assert measurement.pixel_size == pytest.approx(10.0) and measurement.undefined_count == 30
+    scan = read_scan(path, undefined_pixels="harmonic", unit="nm")
+    assert scan.pixel_size == pytest.approx(10.0) and scan.undefined_count == 30
     defined = np.delete(np.arange(len(POINTS)), GAPS)
-    np.testing.assert_allclose(measurement.heights.ravel()[defined], POINTS[defined, 2], atol=1e-5)
+    np.testing.assert_allclose(scan.heights.ravel()[defined], POINTS[defined, 2], atol=1e-5)
     notes = ("unit nm (given by the user)", "30 undefined pixels of 576 filled")
-    assert measurement.notes == notes
+    assert scan.notes == notes
 
 
 @pytest.mark.parametrize("gaps", [[], GAPS])
 def test_points_may_have_two_units(tmp_path, gaps):
     scaled = np.delete(POINTS, gaps, axis=0) * [1e-3, 1e-3, 1]
     path = write_points(tmp_path / "a.xyz", scaled)
-    measurement = read_scan(path, undefined_pixels="harmonic", unit="um,nm")
-    assert measurement.pixel_size == pytest.approx(10.0)
-    assert measurement.heights.ravel()[5] == pytest.approx(MAP.ravel()[5], abs=1e-5)
+    scan = read_scan(path, undefined_pixels="harmonic", unit="um,nm")
+    assert scan.pixel_size == pytest.approx(10.0)
+    assert scan.heights.ravel()[5] == pytest.approx(MAP.ravel()[5], abs=1e-5)
     message = refusal(read_scan, path, undefined_pixels="harmonic", unit="um")
     assert_says(message, "--unit mm,nm (scan.unit: mm,nm) gives")
-    line = write_points(tmp_path / "b.txt", np.column_stack([1e-3 * X[:24], MAP[0]]))
+    line = write_points(tmp_path / "b.txt", np.column_stack([1e-3 * X[:PIXELS], MAP[0]]))
     np.testing.assert_allclose(read_scan(line, unit="um,nm").heights, MAP[0], atol=1e-5)
     angstroms = write_points(tmp_path / "c.xyz", scaled * [1, 1, 10])
     for unit in ("um,angstrom", "um,Å"):
-        scan = read_scan(angstroms, undefined_pixels="harmonic", unit=unit)
-        np.testing.assert_allclose(scan.heights, measurement.heights, atol=1e-5)
+        scan_in_angstroms = read_scan(angstroms, undefined_pixels="harmonic", unit=unit)
+        np.testing.assert_allclose(scan_in_angstroms.heights, scan.heights, atol=1e-5)
 
 
 @pytest.mark.parametrize("gaps", [[], GAPS])
@@ -140,13 +140,13 @@ def test_points_near_those_of_a_grid_are_interpolated_on_the_grid(tmp_path, gaps
     points[:, :2] += rng.normal(0, 0.8, (len(POINTS), 2))  # up to a quarter of a pixel
     points[:, 2] = 5 * np.sin(points[:, 0] / 40) * np.cos(points[:, 1] / 50)
     path = write_points(tmp_path / "a.xyz", rng.permutation(np.delete(points, gaps, axis=0)))
-    measurement = read_scan(path, undefined_pixels="harmonic", unit="nm")
-    assert measurement.heights.shape == MAP.shape and measurement.undefined_count == len(gaps)
-    assert measurement.pixel_size == pytest.approx(10.0, rel=0.01)
+    scan = read_scan(path, undefined_pixels="harmonic", unit="nm")
+    assert scan.heights.shape == MAP.shape and scan.undefined_count == len(gaps)
+    assert scan.pixel_size == pytest.approx(10.0, rel=0.01)
     true_heights = (5 * np.sin(X / 40) * np.cos(Y / 50)).reshape(MAP.shape)
     inner = np.s_[2:-2, 2:-2]
-    np.testing.assert_allclose(measurement.heights[inner], true_heights[inner], atol=0.2)
-    assert_says(measurement.notes[0], "beside a grid", "interpolated")
+    np.testing.assert_allclose(scan.heights[inner], true_heights[inner], atol=0.2)
+    assert_says(scan.notes[0], "beside a grid", "interpolated")
 
 
 @pytest.mark.parametrize(
