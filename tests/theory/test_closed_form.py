@@ -30,7 +30,7 @@ def contact(rho=5.6, area=400.0, radius=RADIUS):
 
 @pytest.mark.parametrize(("sigma", "m", "rho"), [(4, 10, 5.6), (4, 10, 1), (17, 55, 3)])
 def test_surface_and_summit_term_equal_the_integral_over_rings(sigma, m, rho):
-    """theory.md, All rings."""
+    """The integral of theory.md, All rings."""
     y = np.linspace(m, m + 20 * rho + 8 * sigma, 1501)
     share_of_heights = np.linspace(0, 1, 1001)[:, None]
     height = -10 * sigma + share_of_heights * (y + 10 * sigma)

@@ -33,7 +33,7 @@ METRIC_PREFIXES = {"afm": "afm", "all_scales": "all"}
 SEARCHED_WORKS = np.geomspace(1e-3, 10, 401)
 #: Exponents of power laws of roughness parameters that are searched first.
 SEARCHED_EXPONENTS = np.linspace(-8, 8, 321)
-#: Repeated searches, each on a 20 times finer grid about the best value, to errors of 1e-5.
+#: Repeated searches, each on a 20 times finer grid about the best value, to steps below 1e-5.
 REFINEMENTS = 3
 
 
@@ -218,7 +218,7 @@ def _search_minimum(
     step = grid[1] - grid[0]
     values = np.broadcast_to(grid, (*shape, grid.size))
     for _ in range(REFINEMENTS + 1):
-        best, error = minimum_along_axis(error_at(values), values)
-        values = best[..., None] + step * np.linspace(-1, 1, 41)
+        best_value, error = minimum_along_axis(error_at(values), values)
+        values = best_value[..., None] + step * np.linspace(-1, 1, 41)
         step /= 20
     return error

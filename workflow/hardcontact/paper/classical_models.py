@@ -1,8 +1,8 @@
 """Classical models of the adhesion of a rough sphere, applied to the roughness of Table 1.
 
-The models need asperities, which Table 1 does not give: each function says how it takes them from
-rms height, slope and curvature. No formula was compared with its primary source. Lengths are in nm,
-forces in N, works of adhesion in J/m², moduli in Pa. Attractive forces are positive.
+The models need asperities, which Table 1 does not give: they are taken from rms height, slope and
+curvature. No formula was compared with its primary source. Lengths are in nm, forces in N, works of
+adhesion in J/m², moduli in Pa. Attractive forces are positive.
 """
 
 from collections.abc import Callable
@@ -85,9 +85,10 @@ def rabinovich(work: Values, roughness: Roughness, sphere: ElasticSphere) -> Val
 
 
 def adhesion_index(work: Values, roughness: Roughness, modulus: float) -> Values:
-    """Return the elastic adhesion index E* σ^1.5/(β^½ W) of asperities of the radius β.
+    """Return the elastic adhesion index E* σ^1.5/(β^½ W) of asperities.
 
-    The standard deviation of their heights is σ. Fuller and Tabor, Proc. R. Soc. A 345 (1975) 327.
+    Their radius β is 1 over the rms curvature, the standard deviation σ of their heights the rms
+    height. Fuller and Tabor, Proc. R. Soc. A 345 (1975) 327.
     """
     height = roughness.height * NANOMETRE
     asperity_radius = 1 / roughness.curvature * NANOMETRE

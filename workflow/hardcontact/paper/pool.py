@@ -101,8 +101,8 @@ def smooth_sphere_forces(scan: HeightMap, contact: Contact, ranges: list[float])
 def scans_of_set(pool: xr.Dataset, rng: np.random.Generator, scan_count: int) -> xr.Dataset:
     """Return the scans of one substrate in a set, sampled from its pool without replacement.
 
-    Their rms heights have the mean and the standard deviation of Table 1. Raises ValueError if no
-    set is found whose heights reach the lowest height of the pool.
+    Their rms heights have the mean and the standard deviation of Table 1. Raises ValueError if each
+    try has a smoother scan than the pool.
     """
     lowest = pool["rms_height_of_force"].values.min()
     mean = pool.attrs["mean_rms_height"]

@@ -50,7 +50,7 @@ class SetInputs(NamedTuple):
 
 
 class SetSettings(NamedTuple):
-    """Settings of the sampling and of the judgement."""
+    """Settings of the sampling, the fit and the edges."""
 
     seed: int  #: Seed of the study.
     set_count: int

@@ -1,7 +1,7 @@
 """Substitute scans with features, bumps or pits on a Gaussian base, that agree with Table 1.
 
-A Gaussian surface has nearly the same rms height in each scan. In Table 1 rms heights scatter much
-more, which rare features would explain. All features of a surface have the same Gaussian shape.
+A Gaussian surface has nearly the same rms height in each scan. On polished UNCD rms heights scatter
+much more, which rare features would explain. All features of a surface have one Gaussian shape.
 """
 
 from collections.abc import Mapping, Sequence
@@ -85,10 +85,10 @@ def feature_squares(height: ArrayLike, width: ArrayLike, size: float) -> Floats:
     # By Campbell's theorem, these are mean squares of its height, gradient and half-Laplacian.
     height, width = np.asarray(height), np.asarray(width)
     # The squared shape, exp(-x²/w²) along an axis, lies w/sqrt(pi) from its centre on average.
-    # As centres are uniform in the scan, the mean share w/(sqrt(pi) L) of squared heights, and of
-    # squared derivatives, lies outside along each axis.
+    # As centres are uniform in the scan, the mean share w/(sqrt(pi) L) of squared heights lies
+    # outside along each axis. The same share of squared derivatives is assumed.
     slope_square = (1 - width / (np.sqrt(np.pi) * size)) ** 2 * np.pi * height**2 / size**2
-    # Levelling removes a mean and two slopes, each with the square of the mean of a feature.
+    # Levelling removes a mean and two slopes, each with the squared mean height of a feature.
     removed = 3 * (2 * np.pi * height * width**2 / size**2) ** 2
     height_square = np.maximum(slope_square * width**2 - removed, 0.0)
     return np.stack([height_square, slope_square, slope_square / (2 * width**2)], axis=-1)

@@ -117,7 +117,7 @@ def filtered_series(
     """Yield a surface without the wavelengths beyond each cutoff (nm); None removes none.
 
     The side ``"short"`` removes shorter wavelengths, ``"long"`` longer ones. Each filtered surface
-    overwrites `out` (pixels, pixels), if given. Raises ValueError if wavelengths need more pixels.
+    overwrites `out` (pixels, pixels), if given. Raises ValueError if the pixels are too few.
     """
     order_limits = [None if cutoff is None else _order_limit(surface, cutoff) for cutoff in cutoffs]
     highest_order = max((int(limit) for limit in order_limits if limit is not None), default=0)

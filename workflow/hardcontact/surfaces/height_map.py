@@ -52,7 +52,7 @@ class HeightMap:
 
     @property
     def name(self) -> str:
-        """The path of the file and, if it is not empty, the dataset in it."""
+        """The path of the file, and its dataset if one is named."""
         return f"{self.path}: {self.dataset}" if self.dataset else self.path
 
     @property

@@ -25,7 +25,7 @@ from hardcontact.surfaces.height_map import (
 Mask = NDArray[np.bool_]
 
 #: Some pixel of a streak is farther than this from both neighbours, in typical steps between lines:
-#: one Gaussian step in 10⁹ is so large.
+#: one Gaussian step in 10⁹ rises so far.
 MIN_STREAK_STEPS = 6.0
 #: All pixels of a streak are farther than this from both neighbours, in typical steps.
 MIN_END_STEPS = 1.0
@@ -161,8 +161,8 @@ def _rise_and_fall(heights: Floats, width: int) -> tuple[Floats, Floats]:
     typical_step = np.median(np.abs(heights[width:] - heights[:-width])) / MEDIAN_DEVIATION
     scale = max(typical_step, np.finfo(np.float32).tiny)  # Not zero on a flat scan.
     rise = heights - upper(line_before, line_after)
-    depth = lower(line_before, line_after) - heights
-    return rise / scale, depth / scale
+    fall = lower(line_before, line_after) - heights
+    return rise / scale, fall / scale
 
 
 def _label_runs(mask: Mask) -> NDArray[np.intp]:

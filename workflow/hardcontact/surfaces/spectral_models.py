@@ -48,7 +48,7 @@ def power_law_extrapolation(density: Floats, hurst: float) -> Floats:
 
 
 def shares_of_longer_waves(shortest: float) -> Floats:
-    """Return shares (points,) above a wavelength (nm) of the intervals in ln q of WAVEVECTORS."""
+    """Return the shares (points,) of steps in ln q of WAVEVECTORS above a wavelength (nm)."""
     step = np.log(WAVEVECTORS[1] / WAVEVECTORS[0])
     distance_in_steps = np.log(2 * np.pi / (shortest * WAVEVECTORS)) / step
     return np.asarray(np.clip(distance_in_steps + 0.5, 0, 1))

@@ -38,7 +38,7 @@ BIN_WIDTH = float(np.log(BIN_EDGES[1] / BIN_EDGES[0]))
 HALF_DECADE_BINS = 5
 #: Fewest bins of a spectrum from scans: a slope with an error needs three.
 MIN_BINS = 3
-#: Arguments of SurfaceTopography. `scans.reliable_band` finds the reliable wavelengths.
+#: Arguments of SurfaceTopography, for all wavelengths: `scans.reliable_band` finds reliable ones.
 PSD_ARGUMENTS = {"window": "hann", "reliable": False, "collocation": BIN_EDGES}
 
 

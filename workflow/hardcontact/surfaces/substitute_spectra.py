@@ -204,7 +204,7 @@ def needs_calibration(segments: pd.DataFrame) -> bool:
 def spectrum_from_description(
     path: str | Path, table1: pd.DataFrame, weights: Weights, segments: pd.DataFrame | None = None
 ) -> tuple[Floats, pd.DataFrame, list[str]]:
-    """Return C_iso (nm⁴) on WAVEVECTORS, its calibrated segments, and their CALIBRATION_ROWS."""
+    """Return C_iso (nm⁴) on WAVEVECTORS, segments after calibration, and their CALIBRATION_ROWS."""
     segments = read_segments(path) if segments is None else segments.copy()
     density = np.zeros_like(WAVEVECTORS)
     calibrated_rows = list[str]()
@@ -249,7 +249,7 @@ def _segment_density(segment: pd.Series, longer_waves: Floats, folder: Path) -> 
 def sample_permitted_spectrum(
     rng: np.random.Generator, description: str | Path, table1: pd.DataFrame, constants: pd.DataFrame
 ) -> Spectrum:
-    """Sample a spectrum that Table 1 permits; without blanks, return that of the description."""
+    """Sample a spectrum that Table 1 permits; only blank models of scans are sampled."""
     segments = read_segments(description)
     weights = paper_scan_weights(constants)
     rows = list(AFM_ROWS)

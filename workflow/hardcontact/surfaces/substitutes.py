@@ -1,9 +1,9 @@
 """Substitutes: random surfaces in place of surfaces of the paper that were not measured here.
 
-A substitute has a spectrum calibrated on Table 1, a grid of scans, and targets: the published
-statistics that batches of its scans meet. A smooth gain of amplitudes gives a batch the mean rms
-height, slope and curvature. A factor on the heights of each scan gives the batch the standard
-deviation of rms heights. A batch may miss slope or curvature because the gain is bounded.
+A substitute has a spectrum calibrated on Table 1, a grid of scans, and targets for batches of its
+scans. A smooth gain of amplitudes gives a batch the mean rms height, slope and curvature. A factor
+on the heights of each scan gives the batch the standard deviation of rms heights. A batch may miss
+slope or curvature because the gain is bounded.
 """
 
 import math
@@ -50,7 +50,7 @@ MAX_AMPLITUDE_RATIO = 4.0
 
 
 class Targets(NamedTuple):
-    """The statistics that a batch of scans of one surface meets."""
+    """The statistics to which a batch of scans of one surface is fitted."""
 
     means: Mapping[str, float]  #: Mean rms height (nm), slope, curvature (1/nm), by TABLE1_METRICS.
     rms_height_std: float  #: Standard deviation of the rms heights in nm (ddof 1).
@@ -82,7 +82,7 @@ class Substitute:
         """Targets of scans on the study's pixels; None if no rms height is published.
 
         Calibrated rows of Table 1 give the rms height of scans of the paper's size, and slope and
-        curvature of scans that also have its pixels. Others are expected values of the spectrum.
+        curvature if the pixels are the paper's, too. Other means follow from the spectrum.
         """
         if "afm_rms_height" not in self.table1.index:
             return None

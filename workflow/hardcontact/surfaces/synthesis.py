@@ -22,7 +22,7 @@ class ScanGrid(NamedTuple):
 
     pixels: int  #: Pixels per row of a scan.
     size: float  #: Width of a scan in nm.
-    surface_pixels: int  #: Pixels per row of the random surfaces.
+    surface_pixels: int  #: Pixels per row of the surface around a scan.
 
     @property
     def pixel_size(self) -> float:

@@ -151,7 +151,7 @@ def _close_share(apex: ApexDistribution, relative_rms: float) -> Floats:
 def _roughness_on_summit(
     spectrum: Spectrum, apex: ApexDistribution, contact: Contact
 ) -> tuple[Spectrum, Contact] | None:
-    """Return spectrum and contact of a touching summit (theory.md, Rough summits), or None."""
+    """Return spectrum and contact of a rough summit (theory.md, Rough summits), None if smooth."""
     min_wavevector = 2 * np.pi / (MAX_WAVELENGTH_PER_HALF_WIDTH * apex.half_width)
     summit_spectrum = spectrum_between(spectrum, min_wavevector, np.inf)
     min_variance = (MIN_ROUGHNESS_PER_RANGE * contact.rho) ** 2

@@ -160,7 +160,7 @@ def _reliable_force(scans: ScanSpectrum, contact: Contact, tolerance: float, nam
     reliable_waves = reliable_spectrum(scans.joined_dataset, scans.skewness)
     numbers = prediction(reliable_waves, contact, tolerance, name)
     force = numbers["closed_form_force"]
-    # The error of extrapolated waves is that of the extrapolated force.
+    # Missing waves make this force OUTSIDE, but not the force with extrapolated waves.
     status = numbers.get("extrapolated_force", force).status
     return Number("reliable_force", force.value, "N", status=status)
 

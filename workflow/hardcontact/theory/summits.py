@@ -159,9 +159,9 @@ def _probability_of_smaller_area(summit_counts: Floats, area_ratio: Floats) -> F
     is_rare = is_few & (probability < MIN_SUBTRACTED_PROBABILITY)
     if is_rare.any():
         means, ratios = summit_counts[is_rare], area_ratio[is_rare]
-        largest = ratios.max()
+        max_ratio = ratios.max()
         # More summits than this, some 8 standard deviations, hardly ever have so small an area.
-        i = np.arange(1, int(largest + 8 * np.sqrt(largest) + 25) if largest else 1)[:, None]
+        i = np.arange(1, int(max_ratio + 8 * np.sqrt(max_ratio) + 25) if max_ratio else 1)[:, None]
         with np.errstate(divide="ignore"):
             log_poisson = i * np.log(means) - means - special.gammaln(i + 1)
         row, column = np.nonzero(log_poisson > LOG_NEGLIGIBLE_PROBABILITY)

@@ -30,12 +30,12 @@ def slope_growth(topography: xr.Dataset) -> xr.Dataset:
 
 
 def slope_growth_over_height_growth(topography: xr.Dataset) -> xr.Dataset:
-    """Return the growth of rms slope from AFM to all scales, over the height's (surface)."""
+    """Return the growth of rms slope from AFM to all scales, over that of height (surface)."""
     return quotient(_all_over_afm(topography, "slope"), _all_over_afm(topography, "height"))
 
 
 def curvature_growth_over_height_growth(topography: xr.Dataset) -> xr.Dataset:
-    """Return the growth of rms curvature from AFM to all scales, over the height's (surface)."""
+    """Return the growth of rms curvature from AFM to all scales, over that of height (surface)."""
     return quotient(_all_over_afm(topography, "curvature"), _all_over_afm(topography, "height"))
 
 

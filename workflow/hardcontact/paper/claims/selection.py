@@ -109,6 +109,7 @@ def claim_surfaces(
     if claim.needs in WITHOUT_SCAN:
         return []
     study_surfaces = set(topography["surface"].values)
+    # Labels of `left_out` select no surface.
     groups = chain.from_iterable(groups for dim, groups in labels.items() if dim != "left_out")
     surfaces = [label for label in chain.from_iterable(groups) if label in study_surfaces]
     if not surfaces:
