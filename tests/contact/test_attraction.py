@@ -27,11 +27,11 @@ def test_a_paraboloid_carries_its_force_in_one_asperity_of_known_extent(share):
     assert largest == two_largest == pytest.approx(share, abs=1e-3)
 
 
-def test_two_peaks_share_the_force():
+def test_peaks_share_the_force():
     attraction = np.full((200, 200), 1e-9)
     attraction[50:52, 50:52] = 3.0
     attraction[50, 150] = 2.0
-    attraction[120, 20] = 1.0
+    attraction[120, 20] = 1.0  # The peaks carry 12, 2 and 1 of 15.
     largest, two_largest, count, _ = asperity_sizes(attraction, 0.9, 4.0)
     assert count == 2
     assert largest == pytest.approx(12 / 15, rel=1e-3)
@@ -70,13 +70,13 @@ def test_a_traced_contact_has_the_force_of_its_bodies():
     traced = trace_contact(bodies, (1, 2), CONTACT)
     dataset = pull_off_dataset(bodies, CONTACT, [5.6])
     plastic = dataset["pull_off_force"].sel(contact_model="plastic")
-    force = 46.3e-3 * plastic.isel(rho=0, contact_y=1, contact_x=2).item()
+    force = CONTACT.work * plastic.isel(rho=0, contact_y=1, contact_x=2).item()
     assert traced.attrs["pull_off_force"] == pytest.approx(force, rel=1e-9)
     gap, pressure = (traced[name].values for name in ("gap", "adhesive_pressure"))
     assert gap.shape == pressure.shape == (320, 320)
     # Preload over hardness is 400 nm², 6.25 pixels of 8 nm.
     assert np.count_nonzero(gap <= 0) == 7
     # Touching pixels have the largest pressure, W/rho. Pressures add up to the force.
-    assert pressure.max() == pytest.approx(46.3e-3 / 5.6e-9)
-    assert pressure.sum(dtype=float) * 64e-18 == pytest.approx(force, rel=1e-5)
+    assert pressure.max() == pytest.approx(CONTACT.work / 5.6e-9)
+    assert pressure.sum(dtype=float) * 8e-9**2 == pytest.approx(force, rel=1e-5)
     assert traced["force"].values[0] == -traced.attrs["pull_off_force"]

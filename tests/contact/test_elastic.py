@@ -70,15 +70,15 @@ def test_pull_off_is_that_of_a_minimizer_outside_a_wall(rms):
 
 def test_a_load_that_flattens_everything_is_refused():
     with pytest.raises(ValueError, match="found over 4000 touching pixels"):
-        pressure_at_load(sphere_gap(72, 1.0, 1e9), 1.0, MODULUS, LOAD)
+        pressure_at_load(sphere_gap(72, 1.0, 1e9), 1.0, MODULUS, LOAD)  # 5184 pixels
 
 
 def test_stiff_bodies_have_the_rigid_pull_off_force():
     gap = rough_gap(1.0)
     # To first order the difference is proportional to the compliance.
     differences = []
-    for stiffer in (1, 10):
-        rigid, pull_off = adhesive_pull_off(gap, 12.0, stiffer * MODULUS, WORK, RHO)
+    for factor in (1, 10):
+        rigid, pull_off = adhesive_pull_off(gap, 12.0, factor * MODULUS, WORK, RHO)
         differences.append(1 - pull_off / rigid)
     assert 0 < differences[0] < 0.01
     assert differences[1] == pytest.approx(differences[0] / 10, rel=1e-3)
@@ -100,6 +100,6 @@ def test_elastic_contacts_carry_the_preload(monkeypatch):
     np.testing.assert_allclose(load, 10e-6, rtol=1e-5)
     assert (solved.elastic_pull_off_force <= solved.rigid_pull_off_force * (1 + 1e-6)).all()
     assert solved.pressure.max() == solved.peak_pressure[0]
-    assert solved.pressure.values[32, 32] == solved.pressure.max()
+    assert solved.pressure.values[32, 32] == solved.pressure.max()  # of 64 x 64 pixels
     assert solved.effective_modulus == MODULUS
     assert solved.hertz_peak_pressure == hertz_peak_pressure(10e-6, RADIUS, MODULUS)

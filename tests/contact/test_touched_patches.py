@@ -40,7 +40,7 @@ def test_contacts_touch_one_patch_on_a_particle_and_many_on_a_rough_surface(seed
 
 def test_neighbouring_pixels_of_one_cap_are_one_patch():
     """On a cap of radius 20 µm the point of contact moves 7 % of the way of the sphere's apex."""
-    distance = (X - 2560) ** 2 + (Y - 2560) ** 2
-    cap = np.maximum(150.0 - distance / 40e3, 0)
+    squared_distance = (X - 2560) ** 2 + (Y - 2560) ** 2
+    cap = np.maximum(150.0 - squared_distance / 40e3, 0)
     one_pixel = replace(CONTACT, preload=1e-9, contacts_per_row=32)
     assert count_patches(cap, one_pixel) == 1
