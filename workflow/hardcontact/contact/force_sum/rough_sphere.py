@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from itertools import product
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
@@ -97,12 +98,10 @@ def _correlation_by_transforms(
     substrate_factor: NDArray[np.floating], kernel: Floats, positions: NDArray[np.int_]
 ) -> Floats:
     """Return the sums of `_correlation`, with an error of 1e-15 of the product of both norms."""
-    from scipy import fft
-
-    transform = fft.rfft2(substrate_factor)
-    transform *= np.conj(fft.rfft2(kernel))
-    rows = fft.ifft(transform, axis=0, overwrite_x=True)[positions]
-    return np.asarray(fft.irfft(rows, len(kernel), axis=1)[:, positions])
+    transform = scipy.fft.rfft2(substrate_factor)
+    transform *= np.conj(scipy.fft.rfft2(kernel))
+    rows = scipy.fft.ifft(transform, axis=0, overwrite_x=True)[positions]
+    return np.asarray(scipy.fft.irfft(rows, len(kernel), axis=1)[:, positions])
 
 
 def _correlation_by_products(
