@@ -1,6 +1,6 @@
 """Attraction over the pixels of single contacts: its pressure, and the asperities that carry it.
 
-The fewest pixels that carry 90 % of the force form asperities: groups that share edges or corners.
+Patches (`patches`) of the fewest pixels that carry 90 % of the force are called asperities.
 """
 
 from collections.abc import Sequence
@@ -87,8 +87,8 @@ def asperity_sizes(
     is_carrier = attraction >= least_carrying_attraction(attraction, share)
     # The box around all carriers makes labelling faster.
     box = ndimage.find_objects(is_carrier.view(np.int8))[0]
-    label, count = ndimage.label(is_carrier[box], structure=np.ones((3, 3)))
-    shares = np.sort(np.bincount(label.ravel(), attraction[box].ravel())[1:])[::-1] / total
+    labels, count = ndimage.label(is_carrier[box], structure=np.ones((3, 3)))
+    shares = np.sort(np.bincount(labels.ravel(), attraction[box].ravel())[1:])[::-1] / total
     extent = _diameter_in_pixels(attraction, share) * pixel_size
     return shares[0], shares[:2].sum(), count, extent
 
@@ -103,7 +103,7 @@ def least_carrying_attraction(attraction: Floats, share: float) -> float:
 
 
 def _diameter_in_pixels(attraction: Floats, share: float) -> int:
-    """Return the diameter of the circle about the centre of force that holds a share of it."""
+    """Return the diameter of the circle about the centre of force that holds a share."""
     distance_y = _distance_from_centre(attraction.sum(axis=1))
     distance_x = _distance_from_centre(attraction.sum(axis=0))
     rings = np.rint(np.sqrt(distance_y[:, None] ** 2 + distance_x**2)).astype(np.intp)

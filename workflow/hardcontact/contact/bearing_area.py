@@ -37,7 +37,7 @@ class Cells:
     pixels: int  #: The period n.
     #: (cells, CELL_PIXELS, cells, CELL_PIXELS), padded with minus infinity.
     heights: NDArray[np.floating]
-    maxima: NDArray[np.floating]  #: (cells, cells), the highest point of each.
+    maxima: NDArray[np.floating]  #: (cells, cells), the highest point of each cell.
     #: (cells, cells), the highest point of the group of cells that begins at each cell.
     group_maxima: NDArray[np.floating]
 
@@ -47,7 +47,7 @@ class Cells:
         """Return, along one axis, the cells that meet the windows about positions (...), in pixels.
 
         Returns three arrays (..., k), padded to the largest number k of cells in a window: the
-        offset of a cell from the position, its index, and whether it meets the window.
+        offset of a cell's corner from the position, its index, and whether it meets the window.
         """
         count = self.maxima.shape[0]
         start = positions - window_pixels // 2
@@ -65,7 +65,7 @@ class Cells:
 
 
 def _maxima_of_squares(maxima: NDArray[np.floating], count: int) -> NDArray[np.floating]:
-    """Return the maxima (cells, cells) of the count x count cells that begin at each, periodic."""
+    """Return the maxima (cells, cells) of the count x count cells from each cell on, periodic."""
     rows = np.maximum.reduce([np.roll(maxima, -i, axis=0) for i in range(count)])
     return np.asarray(np.maximum.reduce([np.roll(rows, -i, axis=1) for i in range(count)]))
 
@@ -101,8 +101,8 @@ class WindowCells(NamedTuple):
 
     def select(self, index: slice | NDArray[np.int_] | NDArray[np.bool_]) -> "WindowCells":
         """Return the cells at an index."""
-        contacts, row, column, bounds = self
-        return WindowCells(contacts[index], row[index], column[index], bounds[index])
+        contact_numbers, row, column, bounds = self
+        return WindowCells(contact_numbers[index], row[index], column[index], bounds[index])
 
     def cells_within(self, limits: Floats) -> "WindowCells":
         """Return the cells whose bounds are at most the limits (contact,) in nm."""
@@ -129,8 +129,8 @@ class _Windows:
         self.roughness_maxima = roughness_maxima
         self.geometry = geometry = bodies.geometry
         offset, index, is_met = substrate.cells_in_window(apexes, geometry.window_pixels)
-        nearest = np.maximum(np.maximum(offset, -(offset + CELL_PIXELS - 1)), 0)
-        sphere_minima = np.where(is_met, geometry.paraboloid(nearest), np.inf)
+        nearest_offset = np.maximum(np.maximum(offset, -(offset + CELL_PIXELS - 1)), 0)
+        sphere_minima = np.where(is_met, geometry.paraboloid(nearest_offset), np.inf)
         padding = ((0, 0), (0, 0), (0, -sphere_minima.shape[-1] % GROUP_CELLS))
         # Arrays (contact, axis, cell), padded to whole groups by cells outside the window.
         self.offset = np.pad(offset, padding, constant_values=geometry.window_pixels)
@@ -256,7 +256,7 @@ def all_contact_pixels(bodies: Bodies, contact_pixel_count: int) -> ContactPixel
     substrate = cut_into_cells(bodies.substrate)
     roughness_maxima = None
     if bodies.sphere_roughness is not None:
-        # Per axis, a cell of the substrate meets up to three cells, one narrower, of the sphere.
+        # Per axis, a cell meets up to three of the sphere, because the last may be narrower.
         roughness_maxima = _maxima_of_squares(cut_into_cells(bodies.sphere_roughness).maxima, 3)
     apexes = bodies.geometry.apexes()
     flat_apexes = apexes.reshape(-1, 2)

@@ -10,7 +10,7 @@ RIGID = "rigid"
 CONTACT_MODELS = [RIGID, PLASTIC]
 #: Axes of the array of contacts.
 CONTACT_AXES = ("contact_y", "contact_x")
-#: Dimensions over which forces are averaged. `sphere_scan` numbers the scans of the sphere, or
+#: Dimensions of the contacts on one scan. `sphere_scan` numbers the scans of the sphere, or
 #: positions on one of them. `contact` numbers contacts that were selected from the array.
 CONTACT_DIMENSIONS = ("sphere_scan", "contact", *CONTACT_AXES)
 

@@ -42,7 +42,7 @@ RELATIVE_RESIDUAL = 1e-9
 LOAD_STEP = 1e-6
 #: Most pixels per row of the pressure map of a contact.
 PRESSURE_MAP_PIXELS = 64
-#: Largest width in nm of the window about the lowest gap in `adhesive_pull_off`.
+#: Largest width in nm of the window in `adhesive_pull_off`: that of the paper's scans.
 PULL_OFF_WINDOW = 2500.0
 #: Quantities of each elastic contact, with their units.
 ELASTIC_UNITS = {

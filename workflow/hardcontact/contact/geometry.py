@@ -170,9 +170,9 @@ def reference_gap_map(
 def largest_contact_gap(gap: Floats, contact_pixel_count: int) -> float:
     """Return the largest gap (nm) of the contact pixels, which have the smallest gaps."""
     if gap.ndim == 2 and contact_pixel_count <= len(gap):
-        # As many rows as pixels touch have a pixel at or below this bound.
-        row_minima = gap.min(axis=1)
-        gap = gap[gap <= np.partition(row_minima, contact_pixel_count - 1)[contact_pixel_count - 1]]
+        # In N rows the smallest gap is at most this bound, so the N contact pixels are, too.
+        bound = np.partition(gap.min(axis=1), contact_pixel_count - 1)[contact_pixel_count - 1]
+        gap = gap[gap <= bound]
     return float(np.partition(gap.ravel(), contact_pixel_count - 1)[contact_pixel_count - 1])
 
 

@@ -97,7 +97,10 @@ def effective_work_of_adhesion(force: Values, radius: Values, coefficient: Value
 
 
 class Elasticity(StrEnum):
-    """SOFT if elasticity reduces the force of a smooth sphere by over MAX_SOFTENING."""
+    """SOFT if elasticity reduces the force of a smooth sphere by over MAX_SOFTENING.
+
+    UNKNOWN without a modulus.
+    """
 
     HARD, SOFT, UNKNOWN = "hard", "soft", "unknown"
 

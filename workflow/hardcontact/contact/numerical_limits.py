@@ -81,13 +81,13 @@ def penetration_depth(contact: Contact, relief: float) -> float:
     return min(math.sqrt(contact.preload / contact.hardness) * 1e9, relief)
 
 
-def finite_scan_ratio(size: float, search_size: float) -> tuple[float, float]:
-    """Return the smallest and largest mean force on a scan of a size (nm) relative to a large one.
+def finite_scan_ratio(scan_size: float, search_size: float) -> tuple[float, float]:
+    """Return the smallest and largest mean force on a scan relative to a large one; sizes in nm.
 
     Below SMALLEST_SIZE_RATIO the ratios are those of the smallest tested scans.
     """
     for limit, ratios in FINITE_SCAN_RATIOS:
-        if size < limit * search_size:
+        if scan_size < limit * search_size:
             return ratios
     return 1.0, 1.0
 

@@ -1,8 +1,8 @@
 """Pull-off forces of two bodies and of all scans, and how window and pixels change them.
 
-A pixel at the gap g attracts with the pressure (W/rho) exp(-g/rho), Eq. 2 of the paper. The force
-is W/rho times the pixel area times the sum of exp(-g/rho) over all pixels at closest approach, Eq.
-3. Forces are computed at a work of adhesion W of 1 J/m², because they are proportional to it.
+A pixel attracts with the pressure (W/rho) exp(-gap/rho), Eq. 2 of the paper. The force is W/rho
+times the pixel area times the sum of exp(-gap/rho) over all pixels at closest approach, Eq. 3.
+Forces are computed at a work of adhesion W of 1 J/m², because they are proportional to it.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence

@@ -71,8 +71,8 @@ def find_edges(
     is_open = edge.isnull()
     signed_bound = last_inside.fillna(first_outside).where(is_open)
     is_short = signed_bound > 0
-    # An edge before the first cutoff is shorter on the short side and longer on the long side. An
-    # edge after the last cutoff is the opposite.
+    # An edge before the first cutoff is shorter on the short side, longer on the long side. For an
+    # edge after the last cutoff, the opposite holds.
     is_open_below = first_outside.notnull() == is_short
     open_status = np.where(is_open_below, EdgeStatus.OPEN_BELOW, EdgeStatus.OPEN_ABOVE)
     return xr.Dataset(

@@ -66,7 +66,7 @@ def filtered_pull_off(
             "unfiltered_pull_off_force": (axes, unfiltered, FORCE_ATTRS),
             "pull_off_force": (("cutoff_wavelength", *axes), np.array(filtered), FORCE_ATTRS),
             "spectrum_end": ((), spectrum_end, NM),
-            "touching_area": ("loading", touching_areas, {"units": "nm2"}),
+            "touching_area": ("loading", touching_areas, {"units": "nm2"}),  # of whole pixels
         },
         {
             "cutoff_wavelength": ("cutoff_wavelength", np.asarray(cutoffs, float), NM),

@@ -200,7 +200,7 @@ def half_width_over_masters(
     variances = [jackknife_variance(delete_one_log_means, scan_parts)]
     count = forces.sizes["realization"]
     if scan_parts.are_quarters and count > 1:
-        # The jackknife deletes a quarter of every realization, so it misses how these differ.
+        # The jackknife over quarters misses how realizations differ.
         logarithms = np.log(contact_statistic(xr.DataArray(True)).values)
         variances.append(Variance(logarithms.var(axis=0, ddof=1) / count, count - 1))
     shifts = forces.get(shift_name)

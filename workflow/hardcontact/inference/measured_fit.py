@@ -52,7 +52,7 @@ def summarize_forces(forces: pd.DataFrame) -> ForceSummary:
     if len(forces) == 1:
         mean, median = float(forces["mean"].iloc[0]), forces["median"].iloc[0]
         log_std = float(log_std_of_lognormal(mean, median)) if force_count > 1 else np.nan
-        # A row does not name the sites of its forces: each counts as one.
+        # A row does not name the sites of its forces, so each force counts as a site.
         return ForceSummary(mean, log_std, site_count=force_count, force_count=force_count)
     has_site = forces["site"] != ""
     sites = forces["site"].where(has_site, forces.index)

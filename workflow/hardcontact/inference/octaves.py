@@ -53,7 +53,7 @@ def octave_force_dataset(
     surface: HeightMap, limits: Sequence[float] | Floats, compute_forces: ForcesOnSurface
 ) -> xr.Dataset:
     """Return ``octave_force`` with one octave multiplied by each of AMPLITUDE_FACTORS."""
-    changed_surface = replace(surface, heights=np.empty_like(surface.heights))  # for all octaves
+    changed_surface = replace(surface, heights=np.empty_like(surface.heights))  # reused
 
     def octave_forces(octave: HeightMap, factor: float) -> Floats:
         np.multiply(octave.heights, factor - 1, out=changed_surface.heights)
@@ -83,7 +83,7 @@ def whole_surface_forces(surface: HeightMap, contact: Contact, ranges: list[floa
 
 
 def strongest_octaves(sensitivity: xr.Dataset) -> Iterator[Number]:
-    """Yield wavelength and sensitivity of the octaves to which the force is most sensitive."""
+    """Yield shortest wavelength and sensitivity of the octaves that change the force most."""
     finite = sensitivity.dropna("octave", subset=["octave_sensitivity"])
     indices = np.argsort(-np.abs(finite["octave_sensitivity"].values))[:NAMED_OCTAVE_COUNT]
     for rank, index in enumerate(indices, start=1):

@@ -1,7 +1,4 @@
-"""Range and work of adhesion that fit published mean pull-off forces, for fit.nc.
-
-A pair of range and work fits if its error is below the paper's threshold.
-"""
+"""Range and work of adhesion that fit published mean pull-off forces, for fit.nc."""
 
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -72,10 +69,10 @@ def fit_published(
     for model in adhesion.contact_model.values.tolist():
         forces = adhesion.pull_off_force.sel(contact_model=model)
         fit = fit_contact_model(forces, published_forces, reference_index, threshold, sampling)
-        fitted = float(fit.range_of_adhesion), float(fit.work_of_adhesion)
+        fitted_pair = float(fit.range_of_adhesion), float(fit.work_of_adhesion)
         statistics = [
             statistics_at_pair(forces, pair, reference_index, sampling)
-            for pair in progress([published.pair, fitted], 2, f"force statistics, {model}")
+            for pair in progress([published.pair, fitted_pair], 2, f"force statistics, {model}")
         ]
         fits[(model,)] = fit.merge(xr.concat(statistics, pd.Index(PAIRS, name="pair")))
     models = stack(fits, ["contact_model"])
@@ -177,11 +174,11 @@ def _error_variables(
     """Return the error map, the region of small error, and the local minima along the range."""
     errors = mean_relative_error(force_curves, published_forces, MAPPED_WORKS)
     region_range, region_work = error_region(errors, ranges, MAPPED_WORKS, threshold)
-    work, smallest_errors = fit_work(force_curves, published_forces)
+    works, smallest_errors = fit_work(force_curves, published_forces)
     minima = smallest_minima(smallest_errors)
     # Rows of range, work and error; NaN without a further minimum.
     values_at_minima = np.full((3, MAX_MINIMA), np.nan)
-    values_at_minima[:, : len(minima)] = ranges[minima], work[minima], smallest_errors[minima]
+    values_at_minima[:, : len(minima)] = ranges[minima], works[minima], smallest_errors[minima]
     return {
         "mean_relative_error": (("rho_fine", "work"), errors, DIMENSIONLESS),
         "best_error_by_range": ("rho_fine", smallest_errors, DIMENSIONLESS),
@@ -194,7 +191,7 @@ def _error_variables(
 
 
 def smallest_minima(errors: Floats) -> NDArray[np.int_]:
-    """Return indices of at most MAX_MINIMA minima of errors (rho,) or ends, the smallest first."""
+    """Return indices of up to MAX_MINIMA minima, also at ends, of errors (rho,), smallest first."""
     run_starts = np.flatnonzero(np.diff(errors, prepend=np.inf))  # the first of equal neighbours
     change = np.diff(errors[run_starts], prepend=np.inf, append=np.inf)
     minima = run_starts[(change[:-1] < 0) & (change[1:] > 0)]

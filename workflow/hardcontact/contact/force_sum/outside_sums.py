@@ -33,9 +33,9 @@ MAX_PENETRATION = {np.float32: 2.0, np.float64: 6.0}
 
 
 def outside_sums(bodies: Bodies, contact_pixels: ContactPixels, ranges: Sequence[float]) -> Floats:
-    """Return the sum (rho, contact_y, contact_x) of exp(-(g + m)/rho) outside plastic contact.
+    """Return the sum (rho, contact_y, contact_x) of exp(-(g + m)/rho) outside contact.
 
-    m is the height of the apex at plastic closest approach.
+    m is the height of the apex at which all contact pixels touch.
     """
     all_ranges = np.asarray(ranges, float)
     sums = np.empty((len(all_ranges), *[len(bodies.geometry.positions)] * 2))
@@ -54,7 +54,7 @@ def _can_subtract(
     bodies: Bodies, contact_pixels: ContactPixels, ranges: Floats
 ) -> NDArray[np.bool_]:
     """Return the mask of ranges (rho,) at which `sums_by_subtraction` has enough digits."""
-    if bodies.sphere_roughness is not None:  # It is for smooth spheres only.
+    if bodies.sphere_roughness is not None:  # Subtraction needs a smooth sphere.
         return np.zeros(len(ranges), bool)
     gaps = contact_pixels.reference_gaps
     penetration = (gaps[..., -1] - gaps[..., 0]).max()
@@ -78,8 +78,8 @@ def _sums_by_omission(
     highest_roughness = 0.0 if roughness is None else float(roughness.heights.max())
     highest = highest_substrate + highest_roughness
     sums = np.empty((len(ranges), *[len(bodies.geometry.positions)] * 2))
-    terms_by_range = smooth_sphere_terms if roughness is None else rough_sphere_terms
-    all_terms = terms_by_range(bodies, touched_pixels, ranges)
+    compute_terms = smooth_sphere_terms if roughness is None else rough_sphere_terms
+    all_terms = compute_terms(bodies, touched_pixels, ranges)
     for k, (rho, (totals, sphere_factor_at)) in enumerate(zip(ranges, all_terms, strict=True)):
         substrate_factor = exponential(touched_heights, highest_substrate, rho)
         for index in np.ndindex(totals.shape):

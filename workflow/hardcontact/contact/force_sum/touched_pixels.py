@@ -54,7 +54,7 @@ class TouchedPixels:
     def sum_outside(
         self, index: tuple[int, int], total: float, terms: Floats, highest: float, rho: float
     ) -> float:
-        """Return the sum of exp(-gap/rho) outside a contact (i, j), at plastic closest approach.
+        """Return the sum of exp(-gap/rho) outside a contact (i, j), whose pixels all touch.
 
         `total` is the sum over pixels that touch in no contact; `terms` (touched,) are overwritten.
         Both are for the apex at height 0, relative to exp(highest/rho).
@@ -72,7 +72,7 @@ def _flat_indices(positions: NDArray[np.int_], pixels: int) -> NDArray[np.int_]:
 
 
 def _image_gaps(bodies: Bodies, apex: NDArray[np.int_], offsets: NDArray[np.int_]) -> Floats:
-    """Return the reference gaps (k,) of the images of contact pixels that lie in the window."""
+    """Return reference gaps (k,) in the window of images of contact pixels that do not touch."""
     pixels = bodies.substrate.pixels
     geometry = bodies.geometry
     if geometry.window_pixels <= pixels:
