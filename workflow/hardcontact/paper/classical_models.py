@@ -166,7 +166,7 @@ def _mean_tension(tension: Tension, spread: float, separation: float) -> tuple[f
     The separation is in standard deviations of heights; an asperity of mean height detaches at 0.
     The exponent prevents an underflow between separated surfaces.
     """
-    # Beyond both ends the density is below exp(-MAX_HEIGHT_DEVIATIONS²/2) of its maximum.
+    # Other asperities are apart, or rarer than exp(-MAX_HEIGHT_DEVIATIONS²/2) of the maximum.
     low = max(0.0, -MAX_HEIGHT_DEVIATIONS - separation)
     high = (
         MAX_HEIGHT_DEVIATIONS**2 / (separation + np.hypot(separation, MAX_HEIGHT_DEVIATIONS))

@@ -1,7 +1,7 @@
 """How forces and edges of the band depend on the contact: exponents.nc and edge_shifts.nc.
 
-Edges are fitted as powers of two square roots: of the radius of the sphere, because the interaction
-radius √(Dρ) grows like this root, and of the area in contact, because its root is a length.
+Edges are fitted as powers of the root of the sphere's radius, because the interaction radius √(Dρ)
+grows like this root, and of the root of the area in contact, a length.
 """
 
 import numpy as np
@@ -51,7 +51,7 @@ def edge_exponents(forces: xr.Dataset, tolerance: float, confidence: float) -> x
     """Return the exponents of the edges against the roots of SCALED_QUANTITIES.
 
     They are (surface, side, exponent_of), with jackknife intervals: NaN for fewer than three
-    realizations.
+    masters.
     """
     exponents = _fit_all_edges(forces, tolerance)
     count = forces.sizes["realization"]

@@ -83,12 +83,12 @@ def _forces_at_heights(
         smooth_sphere_forces(replace(scan, heights=factor * scan.heights), contact, ranges)
         for factor in factors
     ]
-    axis = xr.Variable("rms_height_of_force", rms_heights, NM)
-    log_force: xr.DataArray = xr.apply_ufunc(np.log, xr.concat(forces, axis.dims[0]))
+    height_axis = xr.Variable("rms_height_of_force", rms_heights, NM)
+    log_force: xr.DataArray = xr.apply_ufunc(np.log, xr.concat(forces, "rms_height_of_force"))
     contact_numbers = range(contact.contacts_per_row)
     log_force = log_force.astype("float32").assign_attrs(DIMENSIONLESS)
     return roughness.assign(log_force=log_force).assign_coords(
-        rms_height_of_force=axis, contact_y=contact_numbers, contact_x=contact_numbers
+        rms_height_of_force=height_axis, contact_y=contact_numbers, contact_x=contact_numbers
     )
 
 

@@ -250,9 +250,10 @@ def nearest_featured_scans(
     surface: FeaturedSurface, scan_numbers: Sequence[int]
 ) -> tuple[Features, list[HeightMap]]:
     """Return the features nearest to Table 1 among PERMITTED_SAMPLES, and scans with them."""
-    choices = []  # The first scan number seeds the features of a batch of scans.
+    choices = []
     for sample_number in range(PERMITTED_SAMPLES):
         kind = alternating_kind(sample_number)
+        # The first scan number seeds the features of a batch of scans.
         features = surface.sample_features(kind, len(scan_numbers), scan_numbers[0], sample_number)
         added = feature_squares(features.height, features.width, surface.substitute.grid.size)
         rms_values = featured_rms(features.base_factor, features.counts, added, surface.statistics)

@@ -168,7 +168,7 @@ def _scan_components(substitute: Substitute, shares: Floats, scan_number: int) -
 
 
 def _metric_matrices(components: Sequence[HeightMap], names: Sequence[str]) -> Floats:
-    """Return for each rms value a matrix G: aᵀ G a is its square for a sum of heights a_k h_k."""
+    """Return a matrix G for each metric: on heights Σ a_k h_k its square is aᵀ G a."""
 
     def squared_metrics(heights: np.ndarray) -> Floats:
         scan_metrics = metrics(replace(components[0], heights=heights))
