@@ -32,10 +32,10 @@ def combine_maps(rng: np.random.Generator, substrate: HeightMap, sphere: HeightM
     if sphere_pixels < sphere.pixels:  # Larger pixels cannot show waves below two of them.
         sphere = lowpass(sphere, sphere.size / (sphere_pixels // 2 - 1))
     sphere_heights = interpolate(sphere, sphere_pixels).heights
-    pixels = substrate.pixels // 2
+    scan_pixels = substrate.pixels // 2
     starts = rng.integers(sphere_pixels, size=(2, 1))
-    rows, columns = (starts + np.arange(pixels)) % sphere_pixels
-    heights = substrate.heights[:pixels, :pixels] + sphere_heights[np.ix_(rows, columns)]
+    rows, columns = (starts + np.arange(scan_pixels)) % sphere_pixels
+    heights = substrate.heights[:scan_pixels, :scan_pixels] + sphere_heights[np.ix_(rows, columns)]
     return mirror_in_float32(replace(substrate, heights=heights))
 
 
@@ -61,8 +61,8 @@ def combine_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
     reliable_measurements = measurements.isel(measurement=reliable.any(axis=1))
     shortest = float(reliable_measurements["shortest_reliable"].min())
     longest = float(reliable_measurements["longest_reliable"].max())
-    short_body = sphere if sphere_dominates[nearest_bin(shortest)] else substrate
-    long_body = sphere if sphere_dominates[nearest_bin(longest)] else substrate
+    body_at_shortest = sphere if sphere_dominates[nearest_bin(shortest)] else substrate
+    body_at_longest = sphere if sphere_dominates[nearest_bin(longest)] else substrate
     joined_psd = np.where(reliable.any(axis=0), density, np.nan)
     return measurements.assign(
         spectrum=_sum_of_spectra(substrate, sphere),
@@ -70,9 +70,9 @@ def combine_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
         sphere_share=("bin_wavevector", share, DIMENSIONLESS),
     ).assign_attrs(
         substrate.attrs
-        | {name: short_body.attrs[name] for name in (*Tail._fields, "tail_known")}
+        | {name: body_at_shortest.attrs[name] for name in (*Tail._fields, "tail_known")}
         | {"shortest_measured": shortest, "longest_measured": longest}
-        | {"rolloff": long_body.attrs["rolloff"]}
+        | {"rolloff": body_at_longest.attrs["rolloff"]}
     )
 
 

@@ -207,22 +207,22 @@ def _wave_power(heights: Floats) -> Floats:
 def _find_curvature(heights: Floats, pixel_size: float) -> Defect:
     """Find a curvature: the part of second order in a polynomial fit of fourth order."""
     step = max(1, len(heights) // POLYNOMIAL_POINTS)
-    points = heights[::step, ::step]
-    axis = np.linspace(-1, 1, len(points))
+    sampled_heights = heights[::step, ::step]
+    axis = np.linspace(-1, 1, len(sampled_heights))
     exponents = np.array([(order - j, j) for order in range(5) for j in range(order + 1)])
     terms = [np.outer(axis**i, axis**j).ravel() for i, j in exponents]
     polynomials, triangle = np.linalg.qr(np.transpose(terms))
-    amplitudes = polynomials.T @ points.ravel()
+    amplitudes = polynomials.T @ sampled_heights.ravel()
     orders = exponents.sum(axis=1)
     squares = [float((amplitudes[orders == order] ** 2).sum()) for order in range(5)]
-    total = float((points**2).sum()) - squares[0] - squares[1]  # without height and tilt
+    total = float((sampled_heights**2).sum()) - squares[0] - squares[1]  # without height and tilt
     uncurved_squares = max(total - squares[2], 0.0)
     is_weak = uncurved_squares >= MAX_UNCURVED_SHARE**2 * total
     if is_weak or squares[2] < MIN_SECOND_ORDER_RATIO * (squares[3] + squares[4]):
         return {}
     coefficients = np.linalg.solve(triangle, np.where(orders == 2, amplitudes, 0))
     yy, xy, xx = coefficients[orders == 2]
-    half_width = (len(points) - 1) * step * pixel_size / 2
+    half_width = (len(sampled_heights) - 1) * step * pixel_size / 2
     curvatures = np.linalg.eigvalsh([[2 * yy, xy], [xy, 2 * xx]]) / half_width**2
     return {
         "curvature_radius": float(1 / np.abs(curvatures).max()),

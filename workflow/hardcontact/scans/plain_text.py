@@ -52,8 +52,8 @@ def readable_text(content: bytes) -> tuple[bytes, list[str]]:
     row_indices = [index for index, line in enumerate(lines) if NUMBERS.fullmatch(line)]
     notes = []
     rows_text = "\n".join(lines[index] for index in row_indices)
-    lacks_points = "," in rows_text and "." not in rows_text
-    if lacks_points and BETWEEN_CELLS.search(rows_text) and not CELL_COMMA.search(rows_text):
+    has_commas_only = "," in rows_text and "." not in rows_text
+    if has_commas_only and BETWEEN_CELLS.search(rows_text) and not CELL_COMMA.search(rows_text):
         lines = [DECIMAL_COMMA.sub(".", line) for line in lines]
         notes.append("decimal commas read")
     if not text.startswith(OWN_SEPARATORS):

@@ -98,7 +98,7 @@ def _short_waves(scan: HeightMap, pixel_size: float, longest_pixels: float) -> F
     """Return heights on pixels of `pixel_size` (nm) with waves up to `longest_pixels` long."""
     ratio = scan.pixel_size / pixel_size
     heights = scan.heights
-    if ratio < 1:  # Smoothing by 0.4 wider pixels weakens waves that they cannot show.
+    if ratio < 1:  # A Gaussian of 0.4 larger pixels weakens waves that they cannot show.
         heights = scipy.ndimage.zoom(scipy.ndimage.gaussian_filter(heights, 0.4 / ratio), ratio)
     # A Gaussian of this width keeps half of the longest wave.
     width = np.sqrt(2 * np.log(2)) * longest_pixels / (2 * np.pi)

@@ -144,10 +144,10 @@ def stack_spectra(spectra: Mapping[str, xr.Dataset], labels: Mapping[str, str]) 
         for name, values in numbered[0].data_vars.items()
     }
     surfaces = pd.Index(list(spectra), name="surface")
-    table = xr.concat(
+    stacked = xr.concat(
         numbered, surfaces, join="outer", fill_value=fill, combine_attrs="override"
     ).drop_vars("measurement")
     for name, unit in END_ATTRIBUTE_UNITS.items():
         ends = [spectrum.attrs[name] for spectrum in spectra.values()]
-        table[name] = ("surface", ends, {"units": unit} if unit else {})
-    return table.assign(label=("surface", [labels[surface] for surface in surfaces]))
+        stacked[name] = ("surface", ends, {"units": unit} if unit else {})
+    return stacked.assign(label=("surface", [labels[surface] for surface in surfaces]))
