@@ -30,6 +30,7 @@ def write_and_list(write, path, topography):
 
 
 def map_of(heights):
+    """Return a map with heights (x, y) in nm on pixels of 10 nm."""
     return Topography(heights, tuple(10.0 * count for count in heights.shape), unit="nm")
 
 
@@ -286,7 +287,7 @@ def test_the_channel_that_a_container_names_is_read(tmp_path):
     path = write_container(tmp_path / "a.zip", [entry | {"height_scale": 0.5}], {"a.001": file})
     scan = read_scan(path, "one")
     assert scan.channel == "Height Sensor" and scan.notes == ()
-    assert scan.heights.std() == pytest.approx(0.1 * counts.std())  # never scaled twice
+    assert scan.heights.std() == pytest.approx(0.1 * counts.std())  # the file's scale
 
 
 def test_a_scan_of_a_container_is_found_by_its_file_or_a_unique_name(tmp_path):

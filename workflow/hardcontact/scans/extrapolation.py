@@ -223,17 +223,17 @@ class RolloffEvidence:
         is_widest = np.array([band.longest == longest for band in bands])
         widest_scans = [scan for scan, widest in zip(scans, is_widest, strict=True) if widest]
         kind = widest_scans[0].kind
-        self.size = widest_scans[0].size
-        self.scan_count = len(widest_scans)
-        #: The mean variance of the levelled heights in nm².
-        self.variance = float(np.mean([level_plane(scan).heights.var() for scan in widest_scans]))
+        self._size = widest_scans[0].size
+        self._scan_count = len(widest_scans)
+        # The mean variance of the levelled heights in nm².
+        self._variance = float(np.mean([level_plane(scan).heights.var() for scan in widest_scans]))
         self._measured_density = np.nan_to_num(densities[is_widest]).mean(axis=0)
         shortest = min(band.shortest for band in bands if band.longest == longest)
         self._is_unreliable = 2 * np.pi / BIN_CENTRES < shortest
-        self._share_after_levelling = share_after_levelling(WAVEVECTORS, self.size, kind)
+        self._share_after_levelling = share_after_levelling(WAVEVECTORS, self._size, kind)
         # Independent modes per ln q: q²L²/4π in a map, qL/2π along a line, but at least 1, because
         # waves longer than the scan appear as a bow.
-        waves = WAVEVECTORS * self.size / (2 * np.pi)
+        waves = WAVEVECTORS * self._size / (2 * np.pi)
         self._mode_count = np.maximum(waves if kind == "line scan" else np.pi * waves**2, 1)
 
     def rolloff_quantile(
@@ -243,7 +243,7 @@ class RolloffEvidence:
         if slope >= 0:
             return longest
         # Roll-offs have a prior uniform in their logarithm.
-        rolloffs = np.geomspace(longest, MAX_ROLLOFF_OVER_SIZE * self.size, ROLLOFF_COUNT)
+        rolloffs = np.geomspace(longest, MAX_ROLLOFF_OVER_SIZE * self._size, ROLLOFF_COUNT)
         spectra = (extrapolate_long_waves(density, longest, slope, rolloff) for rolloff in rolloffs)
         log_likelihoods = np.array([self._log_likelihood(spectrum) for spectrum in spectra])
         posterior = np.exp(log_likelihoods - log_likelihoods.max())
@@ -256,9 +256,9 @@ class RolloffEvidence:
         expected_variance = np.trapezoid(power, LOG_WAVEVECTORS) + self._noise_variance(density)
         variance_of_variance = np.trapezoid(power**2 / self._mode_count, LOG_WAVEVECTORS)
         # The powers of N modes add up to a gamma variable of relative variance 1/N.
-        shape = expected_variance**2 / variance_of_variance * self.scan_count
+        shape = expected_variance**2 / variance_of_variance * self._scan_count
         scale = expected_variance / shape
-        ratio = self.variance / scale
+        ratio = self._variance / scale
         return float(
             (shape - 1) * np.log(ratio) - ratio - scipy.special.gammaln(shape) - np.log(scale)
         )

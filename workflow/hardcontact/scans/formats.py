@@ -205,7 +205,7 @@ def _accepted_arguments(channel: Any, metadata: dict[str, Any]) -> dict[str, Any
 
 
 def _find_height_channel(reader: Any, data_source: Any, name: str) -> tuple[Any, list[str]]:
-    """Return the channel of heights that user, container or reader choose, and notes."""
+    """Return the channel of heights that user, container or reader choose, or the first; notes."""
     channels = reader.channels
     if data_source is not None and data_source not in range(len(channels)):
         raise RefusedFile(
