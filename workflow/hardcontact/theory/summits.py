@@ -60,6 +60,7 @@ def spectrum_between(spectrum: Spectrum, lowest: float, highest: float) -> Spect
     if high <= low * (1 + 1e-9):
         return None
     wavevector = np.geomspace(low, high, WAVE_COUNT)
+    # The minimum keeps the last wave in spite of rounding.
     return Spectrum(wavevector, spectrum(np.minimum(wavevector, rough_wavevectors[-1])))
 
 

@@ -55,7 +55,7 @@ def range_exponent_of_area(adhesion: xr.Dataset) -> xr.Dataset:
 
 
 def shortest_range_force_over_minimum(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the force at the shortest range over the smallest at any (surface, contact_model)."""
+    """Return the shortest-range force relative to the smallest force (surface, contact_model)."""
     mean = mean_over_contacts(adhesion["pull_off_force"]).sortby("rho")
     ratio = mean.isel(rho=0, drop=True) / mean.min("rho")
     return mean_over_scans(ratio, adhesion.attrs["confidence"])
@@ -75,7 +75,7 @@ def smooth_sphere_change(adhesion: xr.Dataset) -> xr.Dataset:
 
 
 def finer_pixel_ratio(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the plastic force at the smallest range, half-size over full-size pixels (surface)."""
+    """Return the plastic force at the shortest range, half-size over full-size pixels (surface)."""
     return mean_over_scans(adhesion["finer_pixel_ratio"], adhesion.attrs["confidence"])
 
 
