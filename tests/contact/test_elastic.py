@@ -32,7 +32,7 @@ def rough_gap(rms):
 
 @pytest.mark.parametrize("load", [1e-6, 10e-6])
 def test_a_smooth_sphere_follows_hertz(load):
-    pixels, pixel_size = 384, 12.0 * (load / LOAD) ** (1 / 3)
+    pixels, pixel_size = 384, 12.0 * (load / LOAD) ** (1 / 3)  # grows as the contact radius
     peak = hertz_peak_pressure(load, RADIUS, MODULUS)
     contact_radius = np.sqrt(1.5 * load / (np.pi * peak)) * 1e9  # nm
     gap = sphere_gap(pixels, pixel_size)

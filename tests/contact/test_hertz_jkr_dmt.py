@@ -25,7 +25,7 @@ def test_the_pull_off_coefficient_leads_from_dmt_to_jkr():
     assert (np.diff(coefficient) < 0).all()
     assert coefficient[0] == pytest.approx(2, abs=5e-3)
     assert coefficient[-1] == pytest.approx(1.5, abs=5e-4)
-    assert hertz_jkr_dmt.dmt_pull_off(WORK, RADIUS) == pytest.approx(72.7e-6, rel=1e-3)
+    assert hertz_jkr_dmt.dmt_pull_off(WORK, RADIUS) == pytest.approx(72.7e-6, rel=1e-3)  # 2πWR
     assert hertz_jkr_dmt.jkr_pull_off(WORK, RADIUS) == pytest.approx(1.5 / 2 * 72.7e-6, rel=1e-3)
 
 

@@ -25,7 +25,7 @@ def test_the_pull_off_force_of_two_bodies_is_the_direct_sum_at_every_contact_and
     forces = dataset["pull_off_force"].values
     apex_heights = dataset["apex_height"].values
     count = CONTACT.pixel_count(8.0)
-    assert forces.shape == (2, 2, 3, 3) and count == 7
+    assert forces.shape == (2, 2, 3, 3) and count == 7  # 400 nm² are 6.25 pixels
     assert dataset["contact_pixel_count"].values.tolist() == [1, count]
     for index in np.ndindex(3, 3):
         gap = gap_of_bodies(bodies, index)

@@ -139,18 +139,18 @@ class _Windows:
 
     def group_bounds(self) -> Floats:
         """Return the bounds (contact, group), groups numbered by rows within the window."""
-        contacts, axes, _ = self.sphere_minima.shape
-        minima = self.sphere_minima.reshape(contacts, axes, -1, GROUP_CELLS).min(axis=-1)
+        contact_count, axis_count, _ = self.sphere_minima.shape
+        minima = self.sphere_minima.reshape(contact_count, axis_count, -1, GROUP_CELLS).min(axis=-1)
         groups = self.index[:, :, ::GROUP_CELLS]
         bounds = minima[:, 0, :, None] + minima[:, 1, None, :]
         bounds -= self.substrate.group_maxima[groups[:, 0, :, None], groups[:, 1, None, :]]
         if self.roughness_maxima is not None:
             bounds -= self.roughness_maxima.max()
-        return np.asarray(bounds.reshape(contacts, -1))
+        return np.asarray(bounds.reshape(contact_count, -1))
 
-    def cells_of_groups(self, contacts: NDArray[np.int_], group: NDArray[np.int_]) -> WindowCells:
-        """Return the cells of groups (k,), in this order; `contacts` (k,) are their contacts."""
-        group_row, group_column = np.divmod(group, self.sphere_minima.shape[-1] // GROUP_CELLS)
+    def cells_of_groups(self, contacts: NDArray[np.int_], groups: NDArray[np.int_]) -> WindowCells:
+        """Return the cells of groups, given by the numbers (k,) of contact and group."""
+        group_row, group_column = np.divmod(groups, self.sphere_minima.shape[-1] // GROUP_CELLS)
         row = (group_row[:, None] * GROUP_CELLS + np.arange(GROUP_CELLS))[:, :, None]
         column = (group_column[:, None] * GROUP_CELLS + np.arange(GROUP_CELLS))[:, None, :]
         contact = contacts[:, None, None]
@@ -192,8 +192,8 @@ def _find_contact_pixels(windows: _Windows, contact_pixel_count: int) -> list[Co
     group_bounds = windows.group_bounds()
     cell_count = -(-contact_pixel_count // CELL_PIXELS**2)
     best_groups = _lowest_columns(group_bounds, -(-cell_count // GROUP_CELLS**2))
-    contacts = np.repeat(np.arange(len(best_groups)), best_groups.shape[1])
-    cells_of_best_groups = windows.cells_of_groups(contacts, best_groups.ravel())
+    group_contacts = np.repeat(np.arange(len(best_groups)), best_groups.shape[1])
+    cells_of_best_groups = windows.cells_of_groups(group_contacts, best_groups.ravel())
     first_limits = _limits_of_gaps(windows, cells_of_best_groups, contact_pixel_count)
     low_groups = np.nonzero(group_bounds <= first_limits[:, None])
     low_cells = windows.cells_of_groups(*low_groups).cells_within(first_limits)

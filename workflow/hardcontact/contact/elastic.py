@@ -147,8 +147,8 @@ def adhesive_pull_off(
     half_space = HalfSpace(len(gap), pixel_size, modulus)
     stretch = half_space.displacement(rigid_attraction).max()
     if stretch > rho / 10:
-        # Beyond this limit `pull` may not converge. In trials at the limit, an iteration left at
-        # most 13 % of the error at rms heights of 5 to 50 nm, but up to 95 % at 0.5 nm.
+        # Beyond this limit `pull` may not converge. In trials at the limit, an iteration left up to
+        # 95 % of the error.
         raise ValueError(
             f"expected a stretch of at most rho/10 = {rho / 10:.2g} nm, found {stretch:.2g} nm"
         )

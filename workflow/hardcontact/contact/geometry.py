@@ -111,7 +111,7 @@ def join_bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact
 
 
 def spheres_at_positions(sphere: HeightMap, positions_per_row: int) -> list[HeightMap]:
-    """Return the mirrored scan of a sphere, moved to touch at each point of a grid on the scan."""
+    """Return copies of a sphere's mirrored scan, each moved to touch at a point of a grid."""
     scan_pixels = sphere.pixels // 2
     positions = (2 * np.arange(positions_per_row) + 1) * scan_pixels // (2 * positions_per_row)
     shifts = (scan_pixels // 2 - positions).tolist()

@@ -38,7 +38,7 @@ def outside_sums(bodies: Bodies, contact_pixels: ContactPixels, ranges: Sequence
     m is the height of the apex at which all contact pixels touch.
     """
     all_ranges = np.asarray(ranges, float)
-    sums = np.empty((len(all_ranges), *[len(bodies.geometry.positions)] * 2))
+    sums = np.empty((len(all_ranges), *contact_pixels.reference_gaps.shape[:2]))
     can_subtract = _can_subtract(bodies, contact_pixels, all_ranges)
     with THREAD_POOLS.limit(limits=1, user_api="blas"):
         if can_subtract.any():
@@ -77,7 +77,7 @@ def _sums_by_omission(
     highest_substrate = float(substrate.heights.max())
     highest_roughness = 0.0 if roughness is None else float(roughness.heights.max())
     highest = highest_substrate + highest_roughness
-    sums = np.empty((len(ranges), *[len(bodies.geometry.positions)] * 2))
+    sums = np.empty((len(ranges), *contact_pixels.reference_gaps.shape[:2]))
     compute_terms = smooth_sphere_terms if roughness is None else rough_sphere_terms
     all_terms = compute_terms(bodies, touched_pixels, ranges)
     for k, (rho, (totals, sphere_factor_at)) in enumerate(zip(ranges, all_terms, strict=True)):

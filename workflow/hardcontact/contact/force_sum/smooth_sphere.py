@@ -75,7 +75,7 @@ def _contact_sums(
     `factors` has G by range (`axis_factors`).
     """
     transposed_factors = [np.ascontiguousarray(axis_factor.T) for axis_factor in factors]
-    sums = np.zeros((len(factors), *[len(factors[0])] * 2))
+    sums = np.zeros((len(factors), len(factors[0]), len(factors[0])))
     for rows, substrate_factors in blocks:
         for k, substrate_factor in enumerate(substrate_factors):
             sums[k] += factors[k][:, rows] @ (substrate_factor @ transposed_factors[k])
