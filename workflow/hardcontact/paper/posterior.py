@@ -1,8 +1,8 @@
 """Posterior of range and work of adhesion: the probability of pairs, given published mean forces.
 
 A replicate has one possible mean force on each surface: from a set of scans, or drawn from the
-distribution of the means on whole surfaces. All replicates weigh the same. The priors of range and
-work are uniform in their logarithms.
+distribution of the means on whole surfaces. The prior is equal for all replicates, and uniform in
+the logarithms of range and work.
 """
 
 import numpy as np

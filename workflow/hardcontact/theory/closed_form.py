@@ -98,7 +98,7 @@ def closed_form(
     """
     dmt_force = float(dmt_pull_off(contact.work, contact.radius))
     rough_spectrum = find_rough_spectrum(spectrum, contact.radius)
-    if rough_spectrum is None:  # Rms height and apex height are zero, the modulus is infinite.
+    if rough_spectrum is None:
         force = smooth_force(contact)
         return ClosedForm(force, force / dmt_force, 0.0, 0.0, np.inf, Regime.SMOOTH)
     sigma = float(np.sqrt(spectral_moment(rough_spectrum, 0)))

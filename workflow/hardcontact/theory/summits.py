@@ -81,7 +81,6 @@ def find_rough_spectrum(spectrum: Spectrum, radius: float) -> Spectrum | None:
 def summit_half_width(spectrum: Spectrum, levels: ArrayLike) -> Floats:
     """Return the half-width delta (n,) in nm of summits at levels t (n,)."""
     q = spectrum.wavevector
-    # From a small part of the shortest wave to beyond the longest one.
     distances = np.geomspace(0.05 / q[-1], 10 / q[0], DISTANCE_COUNT)
     # The fall of the autocorrelation at the distances, in shares of sigma².
     integrand = spectrum.density * q**2 * (1 - special.j0(distances[:, None] * q))
