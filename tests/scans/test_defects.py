@@ -45,10 +45,10 @@ def map_with_streaks(seed, sign):
     return heights
 
 
-def stopped_scan(seed, lines, filling, axis=0):
+def stopped_scan(seed, line_count, filling, axis=0):
     """Return a map that is measured on its first lines only, and then zero or the last line."""
     heights = rough_heights(seed, 5.0) + 40
-    heights[lines:] = heights[lines - 1] if filling == "repeated" else 0.0
+    heights[line_count:] = heights[line_count - 1] if filling == "repeated" else 0.0
     return heights if axis == 0 else heights.T
 
 

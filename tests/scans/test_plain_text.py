@@ -118,8 +118,8 @@ def test_missing_points_are_undefined_pixels(tmp_path, separator, step):
 
 @pytest.mark.parametrize("gaps", [[], GAPS])
 def test_points_may_have_two_units(tmp_path, gaps):
-    scaled = np.delete(POINTS, gaps, axis=0) * [1e-3, 1e-3, 1]
-    path = write_points(tmp_path / "a.xyz", scaled)
+    points = np.delete(POINTS, gaps, axis=0) * [1e-3, 1e-3, 1]  # positions in µm
+    path = write_points(tmp_path / "a.xyz", points)
     scan = read_scan(path, undefined_pixels="harmonic", unit="um,nm")
     assert scan.pixel_size == pytest.approx(10.0)
     assert scan.heights.ravel()[5] == pytest.approx(MAP.ravel()[5], abs=1e-5)
@@ -127,7 +127,7 @@ def test_points_may_have_two_units(tmp_path, gaps):
     assert_says(message, "--unit mm,nm (scan.unit: mm,nm) gives")
     line = write_points(tmp_path / "b.txt", np.column_stack([1e-3 * X[:PIXELS], MAP[0]]))
     np.testing.assert_allclose(read_scan(line, unit="um,nm").heights, MAP[0], atol=1e-5)
-    angstroms = write_points(tmp_path / "c.xyz", scaled * [1, 1, 10])
+    angstroms = write_points(tmp_path / "c.xyz", points * [1, 1, 10])
     for unit in ("um,angstrom", "um,Å"):
         scan_in_angstroms = read_scan(angstroms, undefined_pixels="harmonic", unit=unit)
         np.testing.assert_allclose(scan_in_angstroms.heights, scan.heights, atol=1e-5)

@@ -111,8 +111,8 @@ def sphere_share(spectra: xr.Dataset, wavelength: float) -> float:
 def combine_sampled_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
     """Return the sum of two sampled spectra.
 
-    ``height_factor``, on the heights of both bodies, is the rms of their factors, weighted by the
-    variances of their heights.
+    ``height_factor``, true over measured heights, is the rms of both factors, weighted by the
+    variances of heights.
     """
     bodies = (substrate, sphere)
     variances = [all_scales_rms(spectrum_of_dataset(body))[0] ** 2 for body in bodies]

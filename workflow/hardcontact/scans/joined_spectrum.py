@@ -230,7 +230,7 @@ def sample_spectra(
     scans: Sequence[HeightMap],
     tip_radii: Sequence[float | None],
 ) -> Iterator[tuple[Spectrum, Floats]]:
-    """Yield spectra within the uncertainty of scans, and true over measured heights (scan,)."""
+    """Yield spectra within the uncertainty of scans, and true heights over measured (scan,)."""
     measured = _measured_spectra(scans, tip_radii)
     for rng in rngs:
         bands = [

@@ -157,8 +157,8 @@ def _run_child(
     faulthandler.disable()
     logging.disable()
     warnings.simplefilter("ignore")
-    for stream in (1, 2):
-        os.dup2(os.open(os.devnull, os.O_WRONLY), stream)
+    for output in (1, 2):  # standard output, standard error
+        os.dup2(os.open(os.devnull, os.O_WRONLY), output)
     try:
         content = path.read_bytes()
         os.chdir(folder)
