@@ -54,7 +54,7 @@ def test_forces_on_scans_exceed_those_on_large_surfaces_as_measured(rms_height, 
     scaled = Spectrum(sampled_spectrum.wavevector, density)
     # 400 nm² of 25 GPa carry 10 µN.
     minimum, maximum = finite_scan_ratio(pixels * PIXEL, search_size(scaled, RADIUS, 400.0))
-    # Twenty scans, whose forces scatter by a factor of two about their mean.
+    # Forces on the twenty scans scatter by a factor of two about their mean.
     assert 0.75 * minimum < scan_over_surface_force(rms_height, pixels) < 1.25 * maximum
 
 

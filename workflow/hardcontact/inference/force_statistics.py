@@ -44,11 +44,11 @@ def statistics_at_pair(
     rho, work = pair
     pair_forces = interpolate_forces(forces, rho) * work
     means = sample_mean_forces(pair_forces.expand_dims("rho"), sampling)[..., 0]
-    contact_forces = pair_forces.transpose("surface", "scan", "sphere_scan", *CONTACT_AXES).values
-    contact_forces = contact_forces.reshape(*contact_forces.shape[:3], -1)
     variables = sampling.sampled_variables(
         "ratio_at_pair", "surface", means / means[:, [reference_index]], DIMENSIONLESS
     )
+    contact_forces = pair_forces.transpose("surface", "scan", "sphere_scan", *CONTACT_AXES).values
+    contact_forces = contact_forces.reshape(*contact_forces.shape[:3], -1)
     statistics = [force_statistics(surface_forces, sampling) for surface_forces in contact_forces]
     values, intervals = (np.stack(numbers, axis=1) for numbers in zip(*statistics, strict=True))
     rows = zip(STATISTIC_ATTRS.items(), values, intervals, strict=True)
