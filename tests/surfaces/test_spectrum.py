@@ -53,7 +53,7 @@ def test_the_power_law_of_points_of_a_profile_is_extrapolated():
 
 
 def test_a_varying_hurst_exponent_changes_per_decade():
-    q = 2 * np.pi / 2000.0 * np.array([10.0, 100.0])  # one and two decades above the roll-off
+    q = 2 * np.pi / 2000.0 * np.array([10.0, 100.0])  # at a tenth and a hundredth of the roll-off
     step = 1e-6
     log_densities = [
         np.log(varying_hurst(q * factor, 1e10, 2000.0, hurst=1.7, hurst_change=-0.5))

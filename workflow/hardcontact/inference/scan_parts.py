@@ -87,8 +87,8 @@ class ScanParts:
     def variance_correction(self) -> tuple[float, float]:
         """Factor on the variance of the delete-one jackknife, and its degrees of freedom.
 
-        A mean correlation c of n parts lowers the jackknife variance by the factor 1 - c, but
-        raises that of the mean by the factor 1 + (n - 1) c. The degrees of freedom are
+        A mean correlation c of n parts multiplies the jackknife variance by 1 - c, and the
+        variance of the mean by 1 + (n - 1) c. The degrees of freedom are
         Satterthwaite's for the correlation matrix minus its column means. NaN without an interval.
         """
         if self.interval_source not in (IntervalSource.SCANS, IntervalSource.QUARTERS):
@@ -103,7 +103,7 @@ class ScanParts:
 def fewest_touched_patches(adhesion: xr.Dataset) -> dict[str, float]:
     """Return the smallest number of patches that the contacts on a scan touch, by surface.
 
-    Of the scans of the sphere, that which touches most patches of a scan counts.
+    For each scan, the scan of the sphere that touches most patches counts.
     """
     patches = adhesion.touched_patches.max("sphere_scan").min("scan")
     return {str(name): float(patches.sel(surface=name)) for name in patches.surface.values}
@@ -112,8 +112,8 @@ def fewest_touched_patches(adhesion: xr.Dataset) -> dict[str, float]:
 def quarters_of_contacts(contacts_per_row: int, tiles: int) -> NDArray[np.int_]:
     """Return the quarter (contact_y, contact_x), 0 to 3, of the scan that holds each contact.
 
-    The map is the mirrored scan, repeated `tiles` times along each axis. If a map is not mirrored,
-    the second half along an axis is the middle half of its period.
+    A mirrored map repeats the mirrored scan `tiles` times along each axis. If a map is not
+    mirrored, the second half along an axis is the middle half of its period.
     """
     # Positions of `contact_positions` in widths of the scan; the second width is its mirror image.
     unfolded = 2 * tiles * (np.arange(contacts_per_row) + 0.25) / contacts_per_row % 2

@@ -36,7 +36,10 @@ RELIEF_OVER_RMS = 4.5
 
 
 def check_study(study: dict[str, Any], table: pd.DataFrame) -> None:
-    """Refuse a study that would fail in a job; scans with contacts are read last."""
+    """Refuse a study that would fail in a job; scans that the sphere touches are read last.
+
+    `study` is the configuration as numbers, `table` the table of surfaces with a row a scan.
+    """
     find_faults = _paper_faults if is_paper_study(study) else _own_surface_faults
     faults = _substitute_faults(study, table) + find_faults(study, table)
     raise_faults(faults)
@@ -111,7 +114,7 @@ def _substrate_faults(substrates: list[str]) -> Iterator[str]:
 
 
 def _pool_size_faults(study: dict[str, Any], contacts: pd.DataFrame) -> Iterator[str]:
-    """Yield the fault of pools with fewer scans than the table has of a substitute substrate."""
+    """Yield the fault if the pool of a coating holds fewer scans than the study uses."""
     pool_size = study["sets"]["pool_size"]
     scan_counts = contacts.surface[contacts.source == "substitute"].value_counts(sort=False)
     if len(scan_counts) and scan_counts.max() > pool_size:
@@ -148,7 +151,10 @@ def load_or_read_scan(study: dict[str, Any], row: Any) -> HeightMap:
 
 
 def surface_extent(study: dict[str, Any], surface: str, rows: pd.DataFrame) -> Extent:
-    """Return the extent of the scans of a surface, with the largest relief on scans or masters."""
+    """Return the extent of the scans of a surface.
+
+    Its relief is measured; for substitutes it is an upper bound, which holds on masters, too.
+    """
     path = rows.path.iloc[0]
     if rows.source.iloc[0] == "substitute":
         pixels = study["substitutes"]["pixels"]

@@ -1,4 +1,7 @@
-"""Models of C_iso (nm⁴) over wavevectors (rad/nm), for segments of a description."""
+"""Models of C_iso (nm⁴) over wavevectors q (rad/nm), for segments of a description.
+
+The roll-off is a wavelength; q_r is its wavevector.
+"""
 
 from collections.abc import Callable
 
@@ -10,7 +13,7 @@ from hardcontact.surfaces.spectrum import WAVEVECTORS
 
 
 def self_affine(wavevector: Floats, plateau: float, rolloff: float, hurst: float) -> Floats:
-    """Return C_iso: the plateau (nm⁴) above the roll-off (nm), ∝ q^(-2-2H) below it."""
+    """Return C_iso: the plateau (nm⁴) at wavelengths above the roll-off (nm), then ∝ q^(-2-2H)."""
     return plateau * np.maximum(wavevector * rolloff / (2 * np.pi), 1.0) ** (-2 - 2 * hurst)
 
 
@@ -19,7 +22,8 @@ def varying_hurst(
 ) -> Floats:
     """Return C_iso whose Hurst exponent changes by `hurst_change`, H', per decade of wavevector.
 
-    C_iso = C_0 10^(-(2 + 2H) x - H' x²), x = log10(q/q_r), below the roll-off (nm); above, C_0.
+    C_iso is C_0, the plateau (nm⁴), at wavelengths above the roll-off (nm). At shorter ones it is
+    C_0 10^(-(2 + 2H) x - H' x²) with x = log10(q/q_r).
     """
     decades = np.log10(np.maximum(wavevector * rolloff / (2 * np.pi), 1.0))
     return np.asarray(plateau * 10 ** (-(2 + 2 * hurst) * decades - hurst_change * decades**2))
@@ -30,7 +34,8 @@ def smooth_rolloff(wavevector: Floats, plateau: float, rolloff: float, hurst: fl
     return plateau * (1 + (wavevector * rolloff / (2 * np.pi)) ** 2) ** (-1 - hurst)
 
 
-#: Models by their names in descriptions (`resources/README.md`), with their parameter columns.
+#: Models that are formulas, by their names in descriptions (`resources/README.md`), with their
+#: parameter columns. The models `power law` and `profile` are functions below.
 SPECTRAL_MODELS: dict[str, tuple[Callable[..., Floats], tuple[str, ...]]] = {
     "self-affine": (self_affine, ("plateau_nm4", "rolloff_nm", "hurst")),
     "varying Hurst": (varying_hurst, ("plateau_nm4", "rolloff_nm", "hurst", "hurst_change")),
@@ -39,7 +44,7 @@ SPECTRAL_MODELS: dict[str, tuple[Callable[..., Floats], tuple[str, ...]]] = {
 
 
 def power_law_extrapolation(density: Floats, hurst: float) -> Floats:
-    """Return C_iso ∝ q^(-2-2H) below the shortest wavelength of C_iso `density`, zero above it."""
+    """Return C_iso ∝ q^(-2-2H) at wavelengths shorter than all of `density`, zero elsewhere."""
     if not density.any():
         raise ValueError("power law: expected a segment at longer wavelengths, found none")
     last_index = density.nonzero()[0][-1]
@@ -48,7 +53,10 @@ def power_law_extrapolation(density: Floats, hurst: float) -> Floats:
 
 
 def shares_of_longer_waves(shortest: float) -> Floats:
-    """Return the shares (points,) of steps in ln q of WAVEVECTORS above a wavelength (nm)."""
+    """Return the share (points,) of the bin of each of WAVEVECTORS with waves above a length (nm).
+
+    Bins are equally wide in ln q.
+    """
     step = np.log(WAVEVECTORS[1] / WAVEVECTORS[0])
     distance_in_steps = np.log(2 * np.pi / (shortest * WAVEVECTORS)) / step
     return np.asarray(np.clip(distance_in_steps + 0.5, 0, 1))

@@ -20,22 +20,23 @@ from scipy import special
 from hardcontact.base.arrays import Floats
 from hardcontact.surfaces.spectrum import Spectrum, spectral_moment
 
-#: Number of points of a resampled spectrum, and of distances of its autocorrelation.
-WAVE_COUNT = 300
-DISTANCE_COUNT = 120
+#: Points of a resampled spectrum.
+SPECTRUM_POINTS = 300
+#: Points of an autocorrelation.
+AUTOCORRELATION_POINTS = 120
 #: Levels t of the apex at closest approach. Wide contacts sink below the mean plane.
 LEVELS = np.linspace(-6, 8, 701)
 #: If more summits fill the area in contact, their total area counts as normally distributed.
 MAX_POISSON_SUMMITS = 50.0
 #: Smallest probability computed as one minus its complement: smaller differences have few digits.
 MIN_SUBTRACTED_PROBABILITY = 1e-3
-#: Logarithm of a probability that is lost when it is added to one: e^-45 is 3e-20.
+#: Poisson terms below e^-45, 3e-20, are left out of sums.
 LOG_NEGLIGIBLE_PROBABILITY = -45.0
 #: Summits at lower levels have the width of summits at this level, because such low points form no
 #: separate groups. resources/validation/README.md says what other values would change.
 LOWEST_SUMMIT_LEVEL = 1.2
-#: A sphere follows the longest waves, up to this ratio of their rms curvature to 1/R. Chosen like
-#: LOWEST_SUMMIT_LEVEL.
+#: A sphere follows the longest waves, up to this ratio of their rms curvature to 1/R. This value
+#: and the one before were chosen on designed surfaces (resources/validation/README.md).
 MAX_FOLLOWED_CURVATURE = 0.1
 
 
@@ -53,15 +54,15 @@ class ApexDistribution(NamedTuple):
 
 def spectrum_between(spectrum: Spectrum, lowest: float, highest: float) -> Spectrum | None:
     """Return a spectrum between two wavevectors (rad/nm), on a new grid, or None without waves."""
-    rough_wavevectors = spectrum.wavevector[spectrum.density > 0]
-    if not len(rough_wavevectors):
+    nonzero_wavevectors = spectrum.wavevector[spectrum.density > 0]
+    if not len(nonzero_wavevectors):
         return None
-    low, high = max(lowest, rough_wavevectors[0]), min(highest, rough_wavevectors[-1])
+    low, high = max(lowest, nonzero_wavevectors[0]), min(highest, nonzero_wavevectors[-1])
     if high <= low * (1 + 1e-9):
         return None
-    wavevector = np.geomspace(low, high, WAVE_COUNT)
+    wavevector = np.geomspace(low, high, SPECTRUM_POINTS)
     # The minimum keeps the last wave in spite of rounding.
-    return Spectrum(wavevector, spectrum(np.minimum(wavevector, rough_wavevectors[-1])))
+    return Spectrum(wavevector, spectrum(np.minimum(wavevector, nonzero_wavevectors[-1])))
 
 
 def find_rough_spectrum(spectrum: Spectrum, radius: float) -> Spectrum | None:
@@ -81,7 +82,7 @@ def find_rough_spectrum(spectrum: Spectrum, radius: float) -> Spectrum | None:
 def summit_half_width(spectrum: Spectrum, levels: ArrayLike) -> Floats:
     """Return the half-width delta (n,) in nm of summits at levels t (n,)."""
     q = spectrum.wavevector
-    distances = np.geomspace(0.05 / q[-1], 10 / q[0], DISTANCE_COUNT)
+    distances = np.geomspace(0.05 / q[-1], 10 / q[0], AUTOCORRELATION_POINTS)
     # The fall of the autocorrelation at the distances, in shares of sigma².
     integrand = spectrum.density * q**2 * (1 - special.j0(distances[:, None] * q))
     total = 2 * np.pi * spectral_moment(spectrum, 0)  # 2 pi sigma², as the integrand lacks 1/(2 pi)
@@ -124,7 +125,7 @@ def summits_above(spectrum: Spectrum, radius: float) -> tuple[Floats, Floats, Fl
 
 
 def search_size(spectrum: Spectrum, radius: float, area: float) -> float:
-    """Return the width (nm) of the square around the apex with the summits that a sphere touches.
+    """Return how wide (nm) a surface must be to hold the summits that a sphere can touch.
 
     At the distance r from the apex the sphere is r²/2R higher, and heights above it are rarer by
     exp(-t r²/(2 R sigma)). Touching points therefore have the rms distance sqrt(2 R sigma/t), half

@@ -1,6 +1,6 @@
 """Sums over a rough sphere: the correlation of exp(z/rho) with the kernel exp((u - y)/rho).
 
-`geometry` defines the heights z, u and y.
+The substrate has the heights z. The sphere is a paraboloid of heights y with the roughness u.
 """
 
 from collections.abc import Iterator, Sequence
@@ -38,18 +38,21 @@ def rough_sphere_terms(
         sphere_factor = exponential(roughness, float(roughness.max()), rho)
         kernel = _kernel(pixels, sphere_factor, bodies.geometry, rho)
         substrate_factor = exponential(heights, float(heights.max()), rho)
-        touched_pixels.leave_out(substrate_factor)
+        touched_pixels.leave_out(substrate_factor)  # sets the touched pixels to zero in place
 
-        def factor(index: tuple[int, int], kernel: Floats = kernel) -> Floats:
+        def factor_at_touched(index: tuple[int, int], kernel: Floats = kernel) -> Floats:
             return np.asarray(kernel.take(row_starts[index[0]] + columns[index[1]]))
 
-        yield SphereTerms(_correlation(substrate_factor, kernel, positions), factor)
+        yield SphereTerms(_correlation(substrate_factor, kernel, positions), factor_at_touched)
 
 
 def _kernel(
     pixels: int, sphere_factor: NDArray[np.floating], geometry: ContactGeometry, rho: float
 ) -> Floats:
-    """Return exp((u - max(u) - y)/rho) at offsets (n, n) from the apex, summed over images."""
+    """Return exp((u - max(u) - y)/rho) at offsets (n, n) from the apex.
+
+    Offsets that differ by a period of the substrate are summed.
+    """
     period = len(sphere_factor)
     axis_factors = _axis_factors_by_shift(pixels, period, geometry, rho)
     kernel = np.zeros((pixels, pixels))
@@ -70,13 +73,14 @@ def _axis_factors_by_shift(
     Images of the substrate that meet the roughness at the same shift are summed.
     """
     factors: dict[int, Floats] = {}
+    # The periods of the substrate that half a window reaches, rounded up.
     reach = -(-geometry.window_pixels // (2 * pixels))
     for image in range(-reach, reach):
         offset = np.arange(pixels) + image * pixels
         decay = np.exp(-geometry.paraboloid(offset) / rho)
-        factor = np.where(geometry.window_mask(offset), decay, 0.0)
+        axis_factor = np.where(geometry.window_mask(offset), decay, 0.0)
         shift = image * pixels % period
-        factors[shift] = factors.get(shift, np.zeros(pixels)) + factor
+        factors[shift] = factors.get(shift, np.zeros(pixels)) + axis_factor
     return factors
 
 

@@ -1,4 +1,6 @@
-"""Sums over a smooth sphere: matrix products, because exp(-y/rho) is a product over both axes.
+"""Sums of exp(-gap/rho) over the window below a smooth sphere, as products of matrices.
+
+The sum is such a product, because exp(-y/rho) is a product over both axes.
 
 `geometry` defines the heights y of the sphere and z of the substrate.
 """
@@ -20,7 +22,10 @@ BLOCK_ROWS = 64
 def sums_by_subtraction(
     bodies: Bodies, contact_pixels: ContactPixels, ranges: Sequence[float]
 ) -> Floats:
-    """Return `outside_sums.outside_sums` as sums over all pixels less those in contact."""
+    """Return the sums (rho, contact_y, contact_x) outside contact.
+
+    They are sums over all pixels of the window, less those over the pixels in contact.
+    """
     heights = bodies.substrate.heights
     precision = heights.dtype.type  # `join_bodies` permits single and double precision.
     highest = float(heights.max())
@@ -49,11 +54,11 @@ def smooth_sphere_terms(
     totals = _contact_sums(blocks, factors)
     for total, axis_factor in zip(totals, factors, strict=True):
 
-        def factor(index: tuple[int, int], axis_factor: Floats = axis_factor) -> Floats:
+        def factor_at_touched(index: tuple[int, int], axis_factor: Floats = axis_factor) -> Floats:
             row_factor = axis_factor[index[0], touched_pixels.row]
             return np.asarray(row_factor * axis_factor[index[1], touched_pixels.column])
 
-        yield SphereTerms(total, factor)
+        yield SphereTerms(total, factor_at_touched)
 
 
 def axis_factors(pixels: int, geometry: ContactGeometry, rho: float) -> Floats:

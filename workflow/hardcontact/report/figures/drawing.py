@@ -28,7 +28,7 @@ FOOTER = 0.2  # inch kept free below the axes for the line that names the substi
 RESOLUTION = 300  # dots per inch of the PNG and of the images inside the PDF
 SVG_RESOLUTION = 100  # dots per inch of the images inside the SVG
 MAX_VECTOR_POINTS = 1000  # of a curve or of symbols in the SVG; an image of more is smaller
-SVG_FONTS = b"'DejaVu Sans', Verdana, sans-serif"  # all equally wide
+SVG_FONTS = b"'DejaVu Sans', Verdana, sans-serif"  # others about as wide as the first
 Ratios = Sequence[float]  # sizes relative to each other
 #: Readers of inputs that are not datasets.
 READERS = {
