@@ -241,6 +241,7 @@ def test_unusual_quantities_are_questioned(files):
 
 
 HOLED = np.ma.masked_greater(np.random.default_rng(1).normal(size=(32, 32)), 3)
+MAP_WITH_HOLES = Topography(HOLED, (320, 320), unit="nm")
 #: Function, faulty values among valid arguments, and parts of the refusal.
 FAULTY = [
     (hc.pull_off_forces, {"radius": -1.0}, ["radius: expected a positive number, found -1.0"]),
@@ -263,16 +264,22 @@ FAULTY = [
     (hc.force_ratios, {"cutoffs": {"short": 20.0}}, ["several numbers, found 20.0"]),
     (hc.predict, {"roughness": hc.Spectrum(np.array([1.0, 2.0]), np.array([1.0, np.nan]))},
      ["spectrum: expected growing wavevectors"]),
+    (hc.force_ratios, {"cutoffs": {"short": [50.0]}, "tolerance": 5.0},
+     ["tolerance: expected less than 1, found 5"]),
+    (hc.predict, {"tolerance": 1}, ["tolerance: expected less than 1, found 1"]),
     (hc.predict, {"hardness": 1e6}, ["preload: expected less than"]),
     (hc.read_spectrum, {}, ["files: expected a table of a spectrum or scans"]),
     (hc.read_scan, {"path": "none.nc"}, ["none.nc: expected a scan, found no such file"]),
     (hc.read_scan, {"path": np.zeros((9, 9))}, ["files: expected a path", "array"]),
     (hc.read_scan, {"unit": None}, ["unit: expected a text, found None"]),
     (hc.read_scan, {"map_size": "5 um"}, ["map_size: expected a positive number"]),
+    (hc.read_scan, {"undefined_pixels": "fill"}, ["refuse or harmonic, found 'fill'"]),
     (hc.read_scan, {"levelling": "sphere"}, ["expected plane, lines"]),
     (hc.read_scan, {"path": "bare.txt"}, ["none: map_size=5000 gives", 'unit="nm"']),
     (hc.read_scan, {"path": "line.txt"}, ['by unit="nm", or mm,nm for']),
-    (hc.from_topography, {"topography": Topography(HOLED, (320, 320), unit="nm")},
+    (hc.from_topography, {"topography": MAP_WITH_HOLES, "undefined_pixels": "fill"},
+     ["undefined_pixels: expected refuse or harmonic, found 'fill'"]),
+    (hc.from_topography, {"topography": MAP_WITH_HOLES},
      ['; undefined_pixels="harmonic" fills them']),
 ]  # fmt: skip
 

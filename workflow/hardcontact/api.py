@@ -23,10 +23,10 @@ from hardcontact.config.arguments import (
     check_contact,
     check_cutoffs,
     check_heights,
-    check_positive,
     check_positive_numbers,
     check_quantities,
     check_read_arguments,
+    check_tolerance,
     make_periodic,
 )
 from hardcontact.config.faults import raise_faults
@@ -147,7 +147,7 @@ def from_topography(
             "topography: expected a map of SurfaceTopography with a unit of length, found "
             f"{type(topography).__name__}"
         )
-    check_read_arguments([], {"sphere_radius": sphere_radius})
+    check_read_arguments([], {"sphere_radius": sphere_radius}, undefined_pixels=undefined_pixels)
     with arguments_in_messages():
         try:
             fields = map_fields(topography, unit_in_nm(topography.unit), undefined_pixels)
@@ -364,7 +364,7 @@ def force_ratios(
     """
     quantities: dict[str, Any] = {"radius": radius, "preload": preload, "hardness": hardness}
     check_quantities(**quantities, rho=rho)
-    check_positive(tolerance=tolerance)
+    check_tolerance(tolerance)
     contact = Contact(**quantities, rho=rho, window=window, contacts_per_row=contacts_per_row)
     surface, rough_sphere = _periodic_maps(scan, sphere, contact, [rho])
     check_cutoffs(cutoffs, surface)
@@ -404,8 +404,8 @@ def predict(
     Returns
     -------
     dict of str to Number
-        The numbers of ``hardcontact predict --json`` by name. Each has a ``value``, a ``unit``, the
-        ends ``low`` and ``high`` of its interval, and a ``status``. Forces are in N, lengths in nm.
+        The results of ``hardcontact predict`` by name. Each has a ``value``, a ``unit``, the ends
+        ``low`` and ``high`` of its interval, and a ``status``. Forces are in N, lengths in nm.
 
         - Force: ``closed_form_force``; ``force_over_smooth``, the same force relative to
           ``smooth_force``, the force on a smooth surface. The status ``"outside"`` means that the
@@ -454,7 +454,7 @@ def predict(
     """
     quantities: dict[str, Any] = {"radius": radius, "preload": preload, "hardness": hardness}
     check_quantities(**quantities, rho=rho, work=work)
-    check_positive(tolerance=tolerance)
+    check_tolerance(tolerance)
     if isinstance(roughness, HeightMap):
         check_heights(roughness.heights, "roughness")
         heights = roughness.heights.astype(float)

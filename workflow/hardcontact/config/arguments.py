@@ -69,10 +69,14 @@ def unit_question(quantity: str, number: float) -> str:
     return f"is the unit right? {' to '.join(bounds)} are usual for {examples}{suggestion}"
 
 
+#: Texts of which only some are accepted.
+CHOICES = {"mask": MASKS, "undefined_pixels": ("refuse", "harmonic")}
+
+
 def check_read_arguments(
     files: Sequence[object], lengths: Mapping[str, object], **texts: object
 ) -> None:
-    """Refuse files that are no paths, texts that are no strings, unknown masks, lengths up to 0."""
+    """Refuse files that are no paths, texts that are none or none of CHOICES, lengths up to 0."""
     faults = [
         f"files: expected a path in each argument, found {' '.join(shorten(file).split())}"
         for file in files
@@ -83,8 +87,11 @@ def check_read_arguments(
         for name, text in texts.items()
         if not isinstance(text, str)
     ]
-    if texts.get("mask", MASKS[0]) not in MASKS:
-        faults.append(f"mask: expected {' or '.join(MASKS)}, found {shorten(texts['mask'])}")
+    faults += [
+        f"{name}: expected {' or '.join(choices)}, found {shorten(texts[name])}"
+        for name, choices in CHOICES.items()
+        if name in texts and texts[name] not in choices
+    ]
     raise_faults(faults)
     check_positive(**{name: value for name, value in lengths.items() if value not in (None, NONE)})
 
@@ -105,6 +112,13 @@ def check_positive(**numbers: object) -> None:
         for name, value in numbers.items()
         if not (isinstance(value, int | float | np.number) and 0 < value < math.inf)
     )
+
+
+def check_tolerance(tolerance: float) -> None:
+    """Refuse a tolerance that is no share: a change by more than all of the force."""
+    check_positive(tolerance=tolerance)
+    if tolerance >= 1:
+        raise ValueError(f"tolerance: expected less than 1, found {tolerance:g}")
 
 
 def check_quantities(**numbers: Any) -> None:
