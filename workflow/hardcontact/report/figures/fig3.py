@@ -53,10 +53,10 @@ def draw(
             for name, values in forces_at_pairs.items()
         }
         surface_fit = plastic_fit.sel(surface=surface, pair="published")
-        published, computed = _lognormals(published_forces[surface], surface_fit)
-        _draw_linear(column[0], surface_forces, published, colours[surface])
-        _draw_logarithmic(column[1], surface_forces, (published, computed), floor, colours[surface])
-        _label_column(column, letter, surface_fit, published)
+        lognormals = _lognormals(published_forces[surface], surface_fit)
+        _draw_linear(column[0], surface_forces, lognormals[0], colours[surface])
+        _draw_logarithmic(column[1], surface_forces, lognormals, floor, colours[surface])
+        _label_column(column, letter, surface_fit, lognormals[0])
         for axes in column:
             axes.axvspan(axes.get_xlim()[0], floor / style.MICRONEWTON, color="0.85", zorder=0)
             axes.set_xlabel("pull-off force (µN)")
@@ -74,32 +74,35 @@ def _forces_at(adhesion: xr.Dataset, pair: FitPair) -> xr.DataArray:
     return interpolate_forces(forces, float(pair["range_of_adhesion"])) * work_ratio
 
 
-def _lognormals(published: Mapping[Any, float], fit: xr.Dataset) -> tuple[Any, Any]:
+def _lognormals(published_row: Mapping[Any, float], fit: xr.Dataset) -> tuple[Any, Any]:
     """Return the log-normals (N) of one surface: published, and fitted to the computed forces."""
-    median = published["median_force"]
-    published_log_std = log_std_of_lognormal(published["mean_force"], median)
+    median = published_row["median_force"]
+    published_log_std = log_std_of_lognormal(published_row["mean_force"], median)
     computed_lognormal = lognorm(fit["log_force_std"].item(), scale=fit["lognormal_median"].item())
     return lognorm(published_log_std, scale=median), computed_lognormal
 
 
-def _label_column(column: np.ndarray, letter: str, fit: xr.Dataset, published: Any) -> None:
-    """Write the surface above its linear panel, and the std of ln F above the logarithmic panel."""
+def _label_column(column: np.ndarray, letter: str, fit: xr.Dataset, lognormal: Any) -> None:
+    """Write the surface above its linear panel, and the std of ln F above the logarithmic panel.
+
+    `lognormal` is the published one.
+    """
     style.label_panel(column[0], f"{letter}_1", str(fit["label"].item()))
-    (published_log_std,) = published.args
+    (published_log_std,) = lognormal.args
     log_std = format_estimate(panels.scalar_and_interval(fit, "log_force_std"), ".2f")
     title = f"std of ln $F$\npublished {published_log_std:.2f}\nhere {log_std}"
     style.label_panel(column[1], f"{letter}_2", title)
 
 
-def _draw_linear(axes: Axes, forces_by_pair: ForcesByPair, published: Any, colour: str) -> None:
+def _draw_linear(axes: Axes, forces_by_pair: ForcesByPair, lognormal: Any, colour: str) -> None:
     """Draw the computed histograms and the published log-normal over the same bins, in µN."""
     # The axis leaves out at most 3 % of the forces at a pair and 10 % of the log-normal.
     ends = [np.quantile(forces, 0.97) for forces in forces_by_pair.values()]
-    edges = np.linspace(0, np.nanmax([*ends, published.ppf(0.9)]), LINEAR_BINS + 1)
-    _draw_histograms(axes, forces_by_pair, edges, colour)
-    density = np.diff(published.cdf(edges)) / np.diff(edges)
-    axes.stairs(density * style.MICRONEWTON, edges / style.MICRONEWTON, **PUBLISHED_LINE)
-    axes.set_xlim(0, edges[-1] / style.MICRONEWTON)
+    bin_edges = np.linspace(0, np.nanmax([*ends, lognormal.ppf(0.9)]), LINEAR_BINS + 1)
+    _draw_histograms(axes, forces_by_pair, bin_edges, colour)
+    density = np.diff(lognormal.cdf(bin_edges)) / np.diff(bin_edges)
+    axes.stairs(density * style.MICRONEWTON, bin_edges / style.MICRONEWTON, **PUBLISHED_LINE)
+    axes.set_xlim(0, bin_edges[-1] / style.MICRONEWTON)
     axes.set_ylim(bottom=0)
     axes.locator_params(nbins=4)
 
@@ -111,10 +114,10 @@ def _draw_logarithmic(
     all_forces = np.concatenate(list(forces_by_pair.values()))
     lowest, highest = BINS_PER_DECADE * np.log10([all_forces.min(), all_forces.max()])
     steps = np.arange(np.floor(lowest), np.ceil(highest) + 2)
-    edges = 10 ** (steps / BINS_PER_DECADE)
-    densities = _draw_histograms(axes, forces_by_pair, edges, colour)
+    bin_edges = 10 ** (steps / BINS_PER_DECADE)
+    densities = _draw_histograms(axes, forces_by_pair, bin_edges, colour)
     high_quantiles = [lognormal.ppf(0.999) for lognormal in lognormals]
-    ends = np.nanmin([edges[0], floor / 3]), np.nanmax([edges[-1], *high_quantiles])
+    ends = np.nanmin([bin_edges[0], floor / 3]), np.nanmax([bin_edges[-1], *high_quantiles])
     forces = np.geomspace(*ends, 200)
     for lognormal, look in zip(lognormals, (PUBLISHED_LINE, COMPUTED_LINE), strict=True):
         curve = lognormal.pdf(forces) * style.MICRONEWTON
@@ -127,7 +130,7 @@ def _draw_logarithmic(
 
 
 def _draw_histograms(
-    axes: Axes, forces_by_pair: ForcesByPair, edges: np.ndarray, colour: str
+    axes: Axes, forces_by_pair: ForcesByPair, bin_edges: np.ndarray, colour: str
 ) -> np.ndarray:
     """Draw a histogram (1/µN) of the forces at each pair; return densities (pair, bin) in 1/N."""
     looks: dict[str, style.Look] = {
@@ -137,18 +140,18 @@ def _draw_histograms(
     densities = []
     for pair, look in looks.items():
         forces = forces_by_pair[pair]
-        density = np.histogram(forces, edges)[0] / (forces.size * np.diff(edges))
-        axes.stairs(density * style.MICRONEWTON, edges / style.MICRONEWTON, **look)
+        density = np.histogram(forces, bin_edges)[0] / (forces.size * np.diff(bin_edges))
+        axes.stairs(density * style.MICRONEWTON, bin_edges / style.MICRONEWTON, **look)
         densities.append(density)
     return np.array(densities)
 
 
 def _legend_handles(pairs: dict[str, FitPair], floor: float) -> list[Artist]:
     """Return one entry for each kind of histogram, line and area."""
-    published, fitted = (panels.format_pair(pair) for pair in pairs.values())
+    published_text, fitted_text = (panels.format_pair(pair) for pair in pairs.values())
     return [
-        Patch(label=f"computed, published {published}", lw=0, **AT_PUBLISHED),
-        Patch(label=f"computed, fitted {fitted}", fill=False, **AT_FIT),
+        Patch(label=f"computed, published {published_text}", lw=0, **AT_PUBLISHED),
+        Patch(label=f"computed, fitted {fitted_text}", fill=False, **AT_FIT),
         Line2D([], [], label="published log-normal", **PUBLISHED_LINE),
         Line2D([], [], label="log-normal of the forces at the published pair", **COMPUTED_LINE),
         Patch(color="0.85", label=f"not resolved: below {floor * 1e9:.0f} nN"),

@@ -16,7 +16,8 @@ TITLES = {
     "long": "roughness above the cutoff removed",
 }
 EDGE_LOOK: style.Look = {"ls": "none", "marker": "o", "mfc": "white", "mew": 1.3, "ms": 5.5}
-#: Lowest and highest change drawn, in tolerances, because the tolerance is a strip of the axis.
+#: Ends of the y axis, as changes in tolerances: the strip of the tolerance is equally wide in every
+#: study.
 SHOWN_TOLERANCES = (-3, 7)
 
 
@@ -60,7 +61,8 @@ def _draw_side(axes: Axes, edges: xr.Dataset) -> None:
     ratio = ratio.dropna("cutoff_wavelength", how="all")
     low, high = axes.get_ylim()
     is_shown = (low < ratio["value"]) & (ratio["value"] < high)
-    # Ratios beyond the y axis have no bars; those next to shown ones let curves leave the frame.
+    # Ratios beyond the y axis have no bars. Those next to shown ones are kept without bars, so that
+    # curves leave the frame.
     ratio = ratio.assign(ratio[["low", "high"]].where(is_shown))
     windows = is_shown.any("surface").rolling(cutoff_wavelength=3, center=True, min_periods=1)
     ratio = ratio.where(windows.max() > 0, drop=True)

@@ -10,7 +10,8 @@ from hardcontact.base.number import Number
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.scans.both_bodies import sphere_share
 
-#: Kinds of measurement. Surfaces with fewer measurements than others have padding without a kind.
+#: What gives a spectrum: a scan, or the description of one. Surfaces with fewer measurements than
+#: others have padding without a kind.
 MEASUREMENT_KINDS = ("map", "line scan", "description")
 #: Lengths of each measurement, in nm.
 MEASUREMENT_LENGTHS = ("size", "pixel_size", "shortest_reliable", "longest_reliable", "tip_radius")
@@ -62,7 +63,7 @@ def preferred_model(force: xr.Dataset) -> str:
 
 
 def stored_tabor_number(force: xr.Dataset) -> Number:
-    """Return the Tabor parameter of the contacts, with the bodies' `Elasticity` as its status."""
+    """Return the Tabor parameter of the contacts; its status says whether the bodies are hard."""
     return Number("tabor_parameter", force.attrs["tabor_parameter"], status=force.attrs["bodies"])
 
 
@@ -83,7 +84,10 @@ def drop_padding(spectra: xr.Dataset) -> xr.Dataset:
 
 
 def fails_hindcast(data: Datasets, side: str) -> bool:
-    """Return whether the hindcast of a side fails or tests no octave; False without a hindcast."""
+    """Return whether the hindcast of a side fails or tests no octave; False without a hindcast.
+
+    The hindcast (`own.hindcast`) tests whether artificial roughness can stand for that of a scan.
+    """
     fails = data.force.get("hindcast_fails")
     return fails is not None and fails.sel(side=side).item() == 1
 
