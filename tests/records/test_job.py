@@ -79,7 +79,7 @@ def test_a_changed_input_stops_the_job(snakemake, tmp_path, errors):
     with run_job(snakemake) as job:
         job.write_text("made", "text")
     snakemake.input, snakemake.output = Named(text="made/text.txt"), Named(data="made/data.nc")
-    (tmp_path / "made/text.txt").write_text("madf")
+    (tmp_path / "made/text.txt").write_text("edited")
     with pytest.raises(SystemExit), run_job(snakemake):
         pytest.fail("computed with a changed input")
     assert_says(errors(), "error: made/text.txt: expected", "delete it")
@@ -94,8 +94,8 @@ def test_an_input_that_changes_while_the_job_runs_fails_it(snakemake, tmp_path, 
     assert read_record("made/text.txt") is None
 
 
-def test_a_job_that_is_killed_leaves_no_record_of_an_earlier_file(snakemake):
-    """The record is gone before the file is replaced."""
+def test_a_record_is_removed_before_its_file_is_replaced(snakemake):
+    """So a job that is killed leaves no record of the earlier file."""
     for text in ("first", "second"):
         with run_job(snakemake) as job:
             assert read_record("made/text.txt") is None

@@ -53,7 +53,7 @@ rule solve_elastic_contacts:
 
 
 rule aggregate_elastic:
-    """Gather elastic contact of all surfaces: elastic.nc."""
+    """Gather elastic contact of all substrates: elastic.nc."""
     input:
         surfaces=[FILES.path(STORE.elastic, surface) for surface in SELECTION.substrates],
     output:
@@ -104,7 +104,7 @@ rule find_asperities:
 
 
 rule aggregate_asperities:
-    """Gather the asperities of all surfaces: asperities.nc."""
+    """Gather the asperities of all substrates: asperities.nc."""
     input:
         surfaces=[FILES.path(STORE.asperities, surface) for surface in SELECTION.substrates],
     output:

@@ -23,7 +23,10 @@ SPHERE = "sphere"
 
 
 def new_arguments(arguments: Sequence[str]) -> Namespace:
-    """Return the parsed arguments; --help, --version and wrong arguments end the program."""
+    """Return the parsed arguments of `hardcontact new`.
+
+    The parser also answers --help, --version and unknown commands; these end the program.
+    """
     parser = CommandLine("hardcontact", USAGE)
     parser.add_argument("--version", action="version", version=version("hardcontact"))
     parser.add_argument(
@@ -124,7 +127,7 @@ def list_scan_files(arguments: Namespace, radius: float) -> tuple[list[ScanFile]
                 "for both: take labels that differ in letters a-z or digits"
             )
         labels.setdefault(surface, label)
-        # Another surface may have the label of the sphere, too.
+        # Files are compared, because by mistake a surface may have the label of the sphere.
         sphere_radius = radius if files is arguments.sphere else None
         for file in files:
             file_paths = _files_in(file)

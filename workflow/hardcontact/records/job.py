@@ -68,7 +68,7 @@ def run_job(snakemake: Any) -> Iterator[Job]:
                 remove_incomplete_files(path)
                 remove_incomplete_files(record_path(path))
                 record_path(path).unlink(missing_ok=True)  # It would describe the old file.
-            code = getattr(inputs, "code", [])  # a rule that writes nothing names no code
+            code = getattr(inputs, "code", [])  # only rules with outputs have it
             origin = Origin(parameters_json, input_digests, list(code))
             yield Job(inputs, snakemake.output, json.loads(parameters_json), origin)
             if changed := changed_paths(input_digests):
