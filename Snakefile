@@ -63,7 +63,7 @@ preparation.complete_rules(workflow, RESULTS)
 onstart:
     preparation.refuse_unwritable_folders(RESULTS.results, RESULTS.store)
     reruns.refuse_edited_inputs(workflow)
-    ending.stop_run_at_interrupt(workflow)
+    ending.handle_interrupts(workflow)
 
 
 onsuccess:

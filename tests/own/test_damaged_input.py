@@ -28,7 +28,7 @@ NASTY = [
 
 
 def mutate(content, rng):
-    """Return the content after one to five changes of a bit, a piece or a number."""
+    """Return the content after at most five changes of a bit, a piece or a number."""
     content = bytearray(content)
     for _ in range(rng.choice([1, 1, 2, 5])):
         position = rng.randrange(len(content) + 1)

@@ -71,7 +71,7 @@ import time
 from types import SimpleNamespace
 from hardcontact.run import ending
 
-ending.stop_run_at_interrupt(SimpleNamespace(local_exec=False, persistence=None))
+ending.handle_interrupts(SimpleNamespace(local_exec=False, persistence=None))
 for state in ("running", "cancelling"):
     try:
         print(state, flush=True)

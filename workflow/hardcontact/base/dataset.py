@@ -72,12 +72,12 @@ def read_by_name(names: Iterable[str], paths: Iterable[str | Path]) -> dict[str,
 
 
 def concatenate(
-    datasets: DatasetsByLabels, dimension: str, shared_labels: int = 1
+    datasets: DatasetsByLabels, dimension: str, shared_label_count: int = 1
 ) -> DatasetsByLabels:
-    """Join datasets along an existing dimension if their keys share the first labels."""
+    """Join datasets along an existing dimension if their keys share their first labels."""
     groups: dict[tuple[Any, ...], list[xr.Dataset]] = {}
     for key, dataset in datasets.items():
-        groups.setdefault(key[:shared_labels], []).append(dataset)
+        groups.setdefault(key[:shared_label_count], []).append(dataset)
     return {key: xr.concat(group, dimension) for key, group in groups.items()}
 
 

@@ -52,7 +52,7 @@ class StudyPlan:
 
     @property
     def scan_batches(self) -> dict[tuple[int, ...], list[str]]:
-        """The substitutes by batch: the numbers of the scans that one job makes.
+        """The substitutes that have each batch: scan numbers whose scans one job makes.
 
         The first batch of a surface has its scans of the study. Only the paper's study has other
         batches, each with as many more scans, for masters.
@@ -85,7 +85,7 @@ class StudyPlan:
 
     @property
     def featured_surface(self) -> str | None:
-        """The substrate whose scans have features; None if it is no substitute for the paper's."""
+        """The substitute of the paper whose scans have features; None if the study has it not."""
         surface = self.study["substitutes"]["featured_surface"]
         return surface if surface in self.selection.sampled_substrates else None
 
@@ -110,7 +110,7 @@ class StudyPlan:
         return sphere_scans[self.selection.contact_scans(surface).index(scan) % len(sphere_scans)]
 
     def measurement_indices(self, surface: str, scan: int) -> list[int]:
-        """Return the indices, from 0, of the scans of a map among all scans of its spectrum."""
+        """Return which of all scans of both bodies a contact map consists of, as indices from 0."""
         bodies = self.rough_bodies(surface, scan)
         all_scans = self.selection.all_scans
         scans = [(body.surface, number) for body in bodies for number in all_scans(body.surface)]
@@ -119,7 +119,7 @@ class StudyPlan:
     @property
     def positions_per_row(self) -> int:
         """Positions per row of the square array of positions on each scan of the sphere."""
-        is_rough = self.selection.sphere in self.selection.surfaces
+        is_rough = self.selection.sphere in self.selection.surfaces  # a smooth sphere has no row
         minimum = SPHERE_POSITIONS if is_rough and not is_paper_study(self.study) else 1
         return math.ceil(math.sqrt(minimum / len(self.selection.sphere_scans)))
 

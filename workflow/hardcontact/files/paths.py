@@ -36,7 +36,8 @@ class StorePatterns:
         folder = {kind: f"{store}/{kind}/{digest}" for kind, digest in self.digests.items()}
         rough_sphere = f"{plan.selection.sphere}/{{sphere_digest}}"
 
-        # Scans: as read, levelled, mirrored; and how a batch, named by its first, was conditioned.
+        # Scans: as read, levelled, mirrored; and how those of a batch were conditioned on Table 1,
+        # in a file with the number of the first.
         scans_digest = self.digests["scans"]
         self.measurements = f"{folder['measurements']}/{MEASUREMENT}"
         self.conditioning = f"{store}/conditioning/{scans_digest}/{_SCAN}"
@@ -70,7 +71,8 @@ class StorePatterns:
             f"{folder['featured_candidates']}/{contact}/{{features}}/{{first}}-{{last}}.nc"
         )
 
-        # Masters, and the forces on them at lists of radii, loadings and ranges.
+        # Masters, and the forces on them at lists of radii, loadings and ranges. The purpose names
+        # what the forces are for: band, sets or exponents.
         self.masters = f"{folder['masters']}/{_REALIZATION}/{{side}}.nc"
         sweep = f"{{settings_digest}}/{{radii}}/{{loadings}}/{{ranges}}/{_SURFACE}"
         chunk = f"{rough_sphere}/realizations-{{first}}-{{last}}.nc"
@@ -189,7 +191,7 @@ class SurfaceFiles:
 
     @property
     def first_sphere_scan_path(self) -> str:
-        """The path of the sphere's first scan, mirrored; masters and changed scans touch it."""
+        """The path of the sphere's first scan, mirrored, for masters and octaves."""
         return self.mirrored_scan_paths(self.selection.sphere)[0]
 
     def contact_map_path(self, surface: str, scan: int) -> str:

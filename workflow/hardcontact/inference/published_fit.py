@@ -38,7 +38,7 @@ MAX_MINIMA = 3
 #: Variables of the best fit, and the range that fits the ratios of forces best.
 FITTED_ATTRS = FIT_ATTRS | {"range_from_ratios": NM}
 
-#: Fitted variables whose samples fit.nc has, too, by the end of their name ``sampled_...``.
+#: Fitted variables whose samples fit.nc has, too: ``sampled_range`` holds those of the range.
 SAMPLED_FITS = {"range": "range_of_adhesion", "work": "work_of_adhesion", "error": "best_error"}
 
 
@@ -110,6 +110,7 @@ def fit_contact_model(
     ranges = fine_ranges(forces.rho.values)
     means = sample_mean_forces(forces, sampling)
     force_curves = interpolate_to_ranges(means, forces.rho.values, ranges)
+    # Index 0 of both is the mean itself, the others are samples of it.
     axes = ("surface", "rho")
     scan_means = mean_over_contacts(forces).transpose(..., *axes)
     interval = student_log_interval(scan_means, sampling.confidence, "scan")
@@ -191,7 +192,10 @@ def _error_variables(
 
 
 def smallest_minima(errors: Floats) -> NDArray[np.int_]:
-    """Return indices of up to MAX_MINIMA minima, also at ends, of errors (rho,), smallest first."""
+    """Return the indices of the MAX_MINIMA smallest local minima of errors (rho,), smallest first.
+
+    A minimum may lie at an end of the ranges. There may be fewer.
+    """
     run_starts = np.flatnonzero(np.diff(errors, prepend=np.inf))  # the first of equal neighbours
     change = np.diff(errors[run_starts], prepend=np.inf, append=np.inf)
     minima = run_starts[(change[:-1] < 0) & (change[1:] > 0)]

@@ -1,7 +1,8 @@
 """Candidates for a surface with features, bumps or pits, and the forces on them (features.nc).
 
 A candidate is one random choice of features, and scans with these features that have the roughness
-of Table 1. Each set takes one candidate. Forces never enter the choice.
+of Table 1. Each set takes one candidate; measured forces never enter its choice. Surfaces without
+features, of the kind ``gaussian``, are computed for comparison.
 """
 
 from collections.abc import Mapping, Sequence
@@ -29,8 +30,8 @@ from hardcontact.surfaces.features import (
 from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.metrics import TABLE1_METRICS, metrics_dataset
 
-#: Largest factor between computed and published force of a candidate that agrees. It holds for the
-#: mean and for the median force, at the published range and work of adhesion.
+#: Largest factor between computed and published force of a candidate that agrees, for the mean and
+#: for the median force, at the published range and work of adhesion. It is only reported.
 MAX_FORCE_FACTOR = 2.0
 #: Statistics of the forces on a candidate, with their units.
 CANDIDATE_STATISTICS = {
@@ -85,7 +86,7 @@ def compare_features(
     published: PublishedForces,
     labels: Mapping[str, str],
 ) -> xr.Dataset:
-    """Return features.nc: CANDIDATE_STATISTICS (features, candidate), and published statistics.
+    """Return features.nc: features and CANDIDATE_STATISTICS (features, candidate) of candidates.
 
     A study has at most one surface with features; without one the dataset is empty. The keys of
     `chunks` are as in `candidates_by_surface`; `sphere_factors` come from `sets.sphere_factor`.
@@ -137,5 +138,5 @@ def _candidate_statistics(
         name: ("candidate", value, unit)
         for (name, unit), value in zip(CANDIDATE_STATISTICS.items(), values, strict=True)
     }
-    features = [name for name in candidates if candidates[name].dims == ("candidate",)]
-    return candidates[features].assign(statistics)
+    feature_variables = [name for name in candidates if candidates[name].dims == ("candidate",)]
+    return candidates[feature_variables].assign(statistics)

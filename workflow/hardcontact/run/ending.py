@@ -34,7 +34,7 @@ def end_run_at_fault() -> Iterator[None]:
 
 
 def log_answer(workflow: Any, page: str) -> None:
-    """Log the answer at the end of a run that makes its page, and the page to open."""
+    """Log the answer at the end of a run that makes its page, and end Snakemake's timers."""
     if page in {str(path) for job in workflow.dag.finished_jobs for path in job.output}:
         answer = json.loads(Path(page).with_name("answer.json").read_text("utf-8"))
         grave_notes = [note["text"] for note in answer["notes"] if note["grave"]]
@@ -45,7 +45,7 @@ def log_answer(workflow: Any, page: str) -> None:
 
 
 def log_how_to_resume(workflow: Any) -> None:
-    """Log, after a failed or stopped run that makes files, that its command resumes it."""
+    """Log how to resume a failed or stopped run that makes files, and end Snakemake's timers."""
     if any(job.output for job in workflow.dag.needrun_jobs()):
         logger.error(RESUME)
     _cancel_timers()
@@ -73,10 +73,10 @@ def kill_run_at_next_interrupt(workflow: Any) -> None:
     signal.signal(signal.SIGINT, lambda *_: _kill_run(workflow))
 
 
-def stop_run_at_interrupt(workflow: Any) -> None:
-    """Kill the run and its jobs at Ctrl-C, because Snakemake would wait for jobs.
+def handle_interrupts(workflow: Any) -> None:
+    """Kill the run and its jobs at the first Ctrl-C, because Snakemake would wait for jobs.
 
-    On a cluster the first Ctrl-C lets Snakemake cancel the jobs; the second kills the run.
+    On a cluster the first Ctrl-C lets Snakemake cancel the jobs, and the second kills the run.
     """
     if workflow.local_exec:
         # Threads and jobs that begin from here on inherit the blocked signal.
