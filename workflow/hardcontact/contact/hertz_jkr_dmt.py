@@ -1,5 +1,7 @@
 """A smooth elastic sphere on a flat: Hertz without adhesion; from DMT to JKR with adhesion.
 
+The last functions judge whether elasticity changes the force in a contact.
+
 Lengths are in nm, forces in N, works of adhesion W in J/m², and moduli in Pa; R is the radius of
 the sphere, E* the effective modulus. Pull-off forces are positive. Arrays broadcast.
 """
@@ -22,8 +24,8 @@ STRONGEST_WORK = 10.6
 #: Effective modulus in Pa of ruby on diamond. It stands here, too, because an installed library has
 #: no resources/; a test compares it with `published.effective_modulus`.
 RUBY_ON_DIAMOND_MODULUS = 1 / ((1 - 0.29**2) / 365e9 + (1 - 0.22**2) / 1010e9)
-#: Hardness in Pa below which this modulus is not assumed: a tenth of the ruby's. Softer bodies may
-#: be ten times as compliant, because moduli are ten to some hundred times the hardness.
+#: Hardness in Pa below which the modulus is unknown: a tenth of the ruby's. Moduli are ten to some
+#: hundred times the hardness, so bodies of equal hardness may differ tenfold in modulus.
 SOFT_HARDNESS = 2.5e9
 #: Largest negligible decrease of the force by elasticity, relative to a stiff sphere.
 MAX_SOFTENING = 0.1
@@ -60,7 +62,10 @@ def smooth_pull_off(work: Values, radius: Values, area: Values, rho: Values) -> 
 
 
 def limit_forces(forces: Values, bound: Values) -> Values:
-    """Return forces, or ends of intervals, limited to a bound; infinite ends stay."""
+    """Return forces, or ends of intervals, limited to a bound.
+
+    An infinite end stays, because it means that the end is not known.
+    """
     return np.where(np.isinf(forces), forces, np.minimum(forces, bound))
 
 
@@ -97,9 +102,9 @@ def effective_work_of_adhesion(force: Values, radius: Values, coefficient: Value
 
 
 class Elasticity(StrEnum):
-    """SOFT if elasticity reduces the force of a smooth sphere by over MAX_SOFTENING.
+    """Whether elasticity changes the force of a smooth sphere.
 
-    UNKNOWN without a modulus.
+    SOFT: it reduces the force by over MAX_SOFTENING. UNKNOWN: no modulus is known.
     """
 
     HARD, SOFT, UNKNOWN = "hard", "soft", "unknown"

@@ -111,6 +111,7 @@ def _length_in_nm(row: Row, name: str) -> float:
     unit = row[f"{name}_unit"]
     match = re.fullmatch(pattern, unit)
     try:
+        # None is refused like a wrong unit.
         return parse_quantity(f"1 {match[1]}" if match else None, "nm")
     except ValueError:
         raise ValueError(f"{name}_unit: expected {words}, found {quote_key(unit)}") from None

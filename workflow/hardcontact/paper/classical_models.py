@@ -98,8 +98,9 @@ def adhesion_index(work: Values, roughness: Roughness, modulus: float) -> Values
 def fuller_tabor(work: Values, roughness: Roughness, sphere: ElasticSphere) -> Values:
     """Return the pull-off force of a sphere with JKR asperities of Gaussian heights.
 
-    The force of the smooth sphere, 1.5πWR, is multiplied by the pull-off force of the asperities
-    relative to as many asperities of equal height. The ratio for a plane is assumed for the sphere.
+    The force of the smooth sphere, 1.5πWR, is multiplied by the largest mean tension of the
+    asperities at any separation, relative to the pull-off force 1.5πβW of one. The ratio for a
+    plane is assumed for the sphere.
     Fuller and Tabor, Proc. R. Soc. A 345 (1975) 327; assumptions and JKR equations as restated by
     Greenwood, Tribol. Lett. 65 (2017) 159.
     """
@@ -111,8 +112,8 @@ def maugis_rough_dmt(work: Values, roughness: Roughness, sphere: ElasticSphere) 
     """Return the pull-off force of a sphere with DMT asperities of Gaussian heights.
 
     The force of the smooth sphere, 2πWR, is multiplied by the largest mean tension of the
-    asperities at any separation, relative to 2πβW. As in `fuller_tabor`, the ratio for a plane is
-    assumed for the sphere. Maugis, J. Adhes. Sci. Technol. 10 (1996) 161.
+    asperities at any separation, relative to the pull-off force 2πβW of one. As in `fuller_tabor`,
+    the ratio for a plane is assumed for the sphere. Maugis, J. Adhes. Sci. Technol. 10 (1996) 161.
     """
     index = adhesion_index(work, roughness, sphere.modulus)
     return dmt_pull_off(work, sphere.radius) * _relative_pull_off(_dmt_tension, 4, index)
@@ -194,7 +195,10 @@ def _force_spline(tension: Tension, spread_factor: float) -> CubicSpline:
 
 
 def _relative_pull_off(tension: Tension, spread_factor: float, index: Values) -> Values:
-    """Return the pull-off force of asperities relative to asperities of equal height."""
+    """Return the pull-off force of asperities relative to asperities of equal height.
+
+    Beyond ADHESION_INDICES it is that at the nearest of them.
+    """
     log_index = np.log(np.clip(index, *ADHESION_INDICES))
     return np.exp(-np.exp(_force_spline(tension, spread_factor)(log_index)))
 

@@ -21,14 +21,14 @@ from SurfaceTopography.Support.UnitConversion import is_length_unit
 from hardcontact.scans.heights import RefusedFile
 from hardcontact.scans.plain_text import NUMBERS, readable_text
 
-#: Modules that readers import only while they read. They are imported here, because `reading` lets
-#: readers open no files.
-IMPORTED_LATE = (
+#: Modules that readers import only while they read. They are imported here, because a process that
+#: reads may open no files (`reading`).
+IMPORTED_BY_READERS = (
     "SurfaceTopography.IO.description", "h5py", "tifffile", "zstandard", "encodings.ascii",
     "encodings.cp1252", "encodings.cp437", "encodings.latin_1", "encodings.utf_16",
     "encodings.utf_16_le", "encodings.utf_8_sig",
 )  # fmt: skip
-for module in IMPORTED_LATE:
+for module in IMPORTED_BY_READERS:
     import_module(module)
 #: Files that list the scans of a container, new and old: the first that it has is read.
 INDEX_FILES = ("index.json", "meta.yml")
@@ -67,9 +67,9 @@ UNKNOWN_UNIT = re.compile("Unknown unit '(.*)'|.* while unit '(.*)' is of kind")
 
 
 def list_datasets(content: bytes) -> dict[str, Any]:
-    """Return as "datasets" the data files of a container, or one empty name for any other file.
+    """Return the names of the data files of a container, or one empty name for any other file.
 
-    `read_in_child` passes dictionaries.
+    They are in a dictionary, because `read_in_child` passes dictionaries.
     """
     entries = _container_entries(_decompress(content))
     return {"datasets": [""] if entries is None else [entry["file"] for entry in entries]}
@@ -175,7 +175,7 @@ def _file_type_in_words(content: bytes, types: Mapping[str, tuple[bytes, ...]]) 
 
 
 def _describe_unread(content: bytes, reader_messages: str) -> str:
-    """Describe a file that no reader takes, with the reasons of the readers of its type."""
+    """Describe a file that no reader takes, and why the readers of its type do not take it."""
     describe = _describe_zip if zipfile.is_zipfile(io.BytesIO(content)) else _describe_text
     file_type, reader_names = describe(content)
     if not file_type:

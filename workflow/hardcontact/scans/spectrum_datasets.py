@@ -18,7 +18,7 @@ from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import BIN_CENTRES, WAVEVECTORS, spectrum_of_dataset
 from hardcontact.surfaces.substitute_spectra import DATA_EVIDENCE
 
-#: Attributes of a spectrum about its ends, with their units; texts have none.
+#: Attributes of a spectrum about its ends, with their units: "1" if dimensionless, "" for a text.
 END_ATTRIBUTE_UNITS = {
     "shortest_measured": "nm", "longest_measured": "nm", "rolloff": "nm", "tail_hurst": "1",
     "tail_hurst_error": "1", "tail_fit_shortest": "nm", "tail_fit_longest": "nm",
@@ -88,7 +88,10 @@ def add_measurements(
 
 
 def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
-    """Return a substitute spectrum as a joined one; segments with DATA_EVIDENCE stand for scans."""
+    """Return a substitute spectrum like a joined one, so that pages treat both alike.
+
+    Segments with DATA_EVIDENCE become measurements.
+    """
     segments = pd.read_csv(io.StringIO(substitute.attrs["segments"]))
     segments = segments[segments.evidence.isin(DATA_EVIDENCE)]
     # Adjacent segments, from long to short wavelengths, with the same `source` become one.

@@ -47,7 +47,10 @@ def sums_by_subtraction(
 def smooth_sphere_terms(
     bodies: Bodies, touched_pixels: TouchedPixels, ranges: Sequence[float]
 ) -> Iterator[SphereTerms]:
-    """Yield the `SphereTerms` of each range."""
+    """Yield the `SphereTerms` of each range.
+
+    Mirror images are not folded, because the touched pixels that are left out are not mirrored.
+    """
     factors = [axis_factors(bodies.substrate.pixels, bodies.geometry, rho) for rho in ranges]
     heights = bodies.substrate.heights
     blocks = _row_blocks(heights, np.float64, float(heights.max()), ranges, touched_pixels)
