@@ -40,8 +40,12 @@ FORCE_ATTRS = NEWTON | {"long_name": "pull-off force at W = 1 J/m2"}
 def attraction_sums(
     bodies: Bodies, contact_pixels: ContactPixels, counts: Sequence[int], ranges: Sequence[float]
 ) -> Floats:
-    """Return sums (pixel count, rho, contact_y, contact_x) of exp(-gap/rho) at closest approach."""
-    gaps = contact_pixels.reference_gaps
+    """Return sums (pixel count, rho, contact_y, contact_x) of exp(-gap/rho) at closest approach.
+
+    If n pixels touch, each of them adds one. The other pixels of `contact_pixels` and those outside
+    add exp(-gap/rho), with gaps above the n-th smallest.
+    """
+    gaps = contact_pixels.reference_gaps  # in ascending order
     sums_outside = outside_sums(bodies, contact_pixels, ranges)
     rho_column = np.asarray(ranges, float)[:, None, None]
     sums = []
@@ -49,7 +53,7 @@ def attraction_sums(
         largest_gap = gaps[..., count - 1]
         open_gaps = gaps[..., count:] - largest_gap[..., None]
         open_sums = np.array([np.exp(-open_gaps / rho).sum(axis=-1) for rho in ranges])
-        # With fewer contact pixels the bodies stay further apart.
+        # `sums_outside` hold with all contact pixels. With fewer the bodies stay further apart.
         decay = np.exp((largest_gap - gaps[..., -1]) / rho_column)
         sums.append(count + open_sums + sums_outside * decay)
     return np.array(sums)
@@ -103,6 +107,7 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     contact_pixels = all_contact_pixels(bodies, max(counts))
     forces = _forces_of_pixels(bodies, contact_pixels, counts, ranges)
     reference_gaps = contact_pixels.reference_gaps
+    # In rigid contact the smallest gap is zero, in plastic contact the largest.
     apex_heights = -np.stack([reference_gaps[..., 0], reference_gaps[..., -1]])
     positions = bodies.geometry.positions * pixel_size
     model_axes = ("contact_model", *CONTACT_AXES)

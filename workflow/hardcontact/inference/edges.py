@@ -57,6 +57,9 @@ def find_edges(
     end (nm), if known. An open edge is NaN and lies beyond its bound; other edges have no bound.
     """
     lower, upper = limits
+    # Signed cutoffs make the long side a copy of the short one: on both, a larger signed cutoff
+    # removes more waves. A curve is followed from few removed waves to many. It leaves the limits
+    # between the cutoffs `last_inside` and `first_outside`.
     # Variables have no labels, because aligning labels would take most of the time.
     changes: Any = curves.variable
     signed_cutoffs = _signed_cutoffs(curves)
@@ -71,8 +74,9 @@ def find_edges(
     is_open = edge.isnull()
     signed_bound = last_inside.fillna(first_outside).where(is_open)
     is_short = signed_bound > 0
-    # An edge before the first cutoff is shorter on the short side, longer on the long side. For an
-    # edge after the last cutoff, the opposite holds.
+    # The curve may lie outside at its first cutoff: then the edge comes before, at a shorter cutoff
+    # on the short side, at a longer one on the long side. If the curve lies inside at its last
+    # cutoff, the edge comes after it, and the opposite holds.
     is_open_below = first_outside.notnull() == is_short
     open_status = np.where(is_open_below, EdgeStatus.OPEN_BELOW, EdgeStatus.OPEN_ABOVE)
     return xr.Dataset(
@@ -200,9 +204,9 @@ def edges_of_masters(
 ) -> tuple[xr.Dataset, xr.DataArray]:
     """Return ratios and changes of the force on substitutes with their edges, and sampled edges.
 
-    Masters are independent: each has another scan, unlike those of `edges_of_scans`. Sampled edges
-    are (1 + sample, ..., side, group). The first is the edge itself, NaN if it is open. In the
-    samples the bound replaces an open edge.
+    Each master has another scan, so the masters are sampled. Sampled edges are (1 + sample, ...,
+    side, group). The first is the edge itself, NaN if it is open. In the samples the bound replaces
+    an open edge.
     """
     # The word "scales" is a part of the seed: another word would give other samples.
     ratios = sampling.sample_means("scales", forces["filtered_force_ratio"], "realization")
@@ -239,6 +243,7 @@ def edges_of_scans(
 ) -> xr.Dataset:
     """Return the edges of the band of every surface and the force ratios, with intervals.
 
+    Masters share the user's scans, so intervals come from parts of the scans.
     `forces` is filtered_forces.nc, `hindcast` hindcast.nc, or None if all surfaces are substitutes.
     """
     ratios = summarize_masters(
@@ -248,7 +253,8 @@ def edges_of_scans(
         ratios = _widen_ratios(ratios, hindcast["hindcast_ratio"])
     edges = edges_of_ratios(ratios, tolerance)
     if hindcast is not None:
-        # Masters may hide ripples, because artificial roughness lowers their forces.
+        # `find_ripples` tests masters, but artificial roughness lowers their forces, and may hide
+        # ripples. So the scans alone are tested, too.
         scan_ratio = hindcast["filtered_scan_ratio"].reindex(surface=edges["surface"])
         are_rippled = (edges["side"] == "short") & (scan_ratio < 1 - tolerance)
         edges = remove_rippled_edges(edges, are_rippled).transpose("surface", "side", ...)

@@ -111,7 +111,8 @@ def fit_measured(
     """Return the ranges and works of adhesion that agree with measured forces.
 
     `adhesion` holds the computed forces, `force_table` the measured forces in N. Scan sizes are in
-    nm. Finer pixels may divide the computed force of a surface by its pixel factor.
+    nm. On finer pixels the computed force of a surface may be lower by its pixel factor, which
+    raises only the high end of the work.
     """
     tables = dict(list(force_table.groupby("surface")))
     surfaces = [name for name in adhesion["surface"].values.tolist() if name in tables]

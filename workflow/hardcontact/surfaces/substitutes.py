@@ -168,7 +168,10 @@ def _scan_components(substitute: Substitute, shares: Floats, scan_number: int) -
 
 
 def _metric_matrices(components: Sequence[HeightMap], names: Sequence[str]) -> Floats:
-    """Return a matrix G for each metric: on heights Σ a_k h_k its square is aᵀ G a."""
+    """Return a matrix G for each metric: on heights Σ a_k h_k its square is aᵀ G a.
+
+    With these matrices a fit of the amplitudes a needs no new scans.
+    """
 
     def squared_metrics(heights: np.ndarray) -> Floats:
         scan_metrics = metrics(replace(components[0], heights=heights))

@@ -123,7 +123,7 @@ def _estimate_claims(
 
 
 def _estimate_quantity(quantity: str, dataset: xr.Dataset, *others: xr.Dataset) -> xr.Dataset:
-    """Return the estimate of a derived quantity, a variable, or a row of Table 1."""
+    """Return the estimate of a derived quantity, or else of a variable or a row of Table 1."""
     if quantity in DERIVED_QUANTITIES:
         return DERIVED_QUANTITIES[quantity](dataset, *others)
     return variable_estimate(dataset, TABLE1_VARIABLES.get(quantity, quantity))
@@ -159,8 +159,7 @@ def _judge(
     else:
         verdict = accepted.verdict(value, low, high)
     open_end = ""
-    if claim.dataset == "edges" and claim.unit == "nm":  # an edge of the band
-        # One group of one label.
+    if claim.dataset == "edges" and claim.unit == "nm":  # an edge of the band, of one side
         ((side,),) = result.labels["side"]
         open_end = find_open_end(side, value, low, high, [result.datasets["edges"], sets])
     return {
