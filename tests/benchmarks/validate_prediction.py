@@ -190,10 +190,12 @@ def spectrum_of_grid(spectrum, size, pixels):
     ends at circles of the same areas. Raises ValueError if it has no such waves.
     """
     cell = 2 * np.pi / size
-    on_grid = spectrum_between(spectrum, cell / np.sqrt(np.pi), pixels * cell / np.sqrt(np.pi))
-    if on_grid is None:
+    grid_spectrum = spectrum_between(
+        spectrum, cell / np.sqrt(np.pi), pixels * cell / np.sqrt(np.pi)
+    )
+    if grid_spectrum is None:
         raise ValueError(f"expected waves between {size / pixels:g} and {size:g} nm, found none")
-    return on_grid
+    return grid_spectrum
 
 
 def predict_row(row):

@@ -46,25 +46,25 @@ class Case(NamedTuple):
 def random_case(family, seed, pixels):
     """Return a random case of a family; `pixels` are the scan's per row, all lengths in nm."""
     rng = generator(seed, family)
-    fine_pixel = _between(rng, 8, 40) / WIDE_PIXEL_WIDTH
-    rolloff = pixels * _between(rng, 1 / 20, 1 / 2)
+    fine_pixel = _draw_uniformly(rng, 8, 40) / WIDE_PIXEL_WIDTH
+    rolloff = pixels * _draw_uniformly(rng, 1 / 20, 1 / 2)
     heights = _heights(family, rng, WIDE_PIXEL_WIDTH * pixels, WIDE_PIXEL_WIDTH * rolloff)
-    heights *= _between(rng, 1, 50) / heights.std()
+    heights *= _draw_uniformly(rng, 1, 50) / heights.std()
     fine = level_plane(HeightMap(heights, fine_pixel))
     blocks = fine.heights.reshape(pixels, WIDE_PIXEL_WIDTH, pixels, WIDE_PIXEL_WIDTH)
     coarse = blocks.mean(axis=(1, 3)) if rng.uniform() < 0.5 else blocks[:, 1, :, 1]
     contact = Contact(
-        radius=_between(rng, 10e3, 150e3),
+        radius=_draw_uniformly(rng, 10e3, 150e3),
         rho=5.6,  # Range, work and hardness are the paper's.
         work=0.0463,
-        preload=_between(rng, 1e-6, 30e-6),
+        preload=_draw_uniformly(rng, 1e-6, 30e-6),
         hardness=25e9,
         contacts_per_row=20,
     )
     return Case(fine, level_plane(HeightMap(coarse, WIDE_PIXEL_WIDTH * fine_pixel)), contact)
 
 
-def _between(rng, low, high):
+def _draw_uniformly(rng, low, high):
     """Return a random number, uniform in its logarithm."""
     return float(np.exp(rng.uniform(np.log(low), np.log(high))))
 
@@ -74,12 +74,12 @@ def _heights(family, rng, pixels, rolloff):
     waves = partial(_waves, rng, pixels, rng.uniform(0.5, 0.95))
     if family == "gaussian":
         return waves(rolloff)
-    base = _between(rng, 0.02, 0.3) * waves(rolloff / 4)
+    base = _draw_uniformly(rng, 0.02, 0.3) * waves(rolloff / 4)
     if family == "plateau":
         return base + np.minimum(waves(rolloff), rng.uniform(-0.5, 0.5))
     if family == "steps":
         return base + np.round(rng.uniform(0.5, 2) * waves(pixels))
-    features = _features(rng, pixels, _between(rng, 0.1, 0.5) * rolloff, family == "pillars")
+    features = _features(rng, pixels, _draw_uniformly(rng, 0.1, 0.5) * rolloff, family == "pillars")
     return base - features if family == "pits" else base + features
 
 
@@ -92,7 +92,7 @@ def _waves(rng, pixels, hurst, rolloff):
 
 def _features(rng, pixels, width, are_flat):
     """Return the sum (y, x) of squares or Gaussian shapes of random heights at random positions."""
-    count = round(_between(rng, 10, 200))
+    count = round(_draw_uniformly(rng, 10, 200))
     distance = (np.arange(pixels) - rng.uniform(0, pixels, (2, count, 1))) / width
     shape_y, shape_x = np.abs(distance) < 1 if are_flat else np.exp(-(distance**2) / 2)
     return (rng.uniform(0.3, 1, count) * shape_y.T) @ shape_x

@@ -117,11 +117,12 @@ def test_the_page_has_the_bands_and_the_numbers_of_both(studies):
     page = studies / "both.html"
     words = [studies / "paper", studies / "harder/answer.json", "--html", page]
     comparison(*words)
-    parsed = Page(page.read_text("utf-8"))
+    comparison_page = Page(page.read_text("utf-8"))
     assert ["hardness", "25 GPa", "30 GPa"] in [
-        [cell.replace("\N{NO-BREAK SPACE}", " ").strip() for cell in row] for row in parsed.rows
+        [cell.replace("\N{NO-BREAK SPACE}", " ").strip() for cell in row]
+        for row in comparison_page.rows
     ]
-    labels = [text for text in parsed.texts["span"] if "MCD" in text]
+    labels = [text for text in comparison_page.texts["span"] if "MCD" in text]
     assert [label.split(",")[0].strip() for label in labels] == ["paper", "harder"]
     assert_says(refusal(comparison, *words), "--html: expected a new file", "--overwrite")
     comparison(*words, "--overwrite")

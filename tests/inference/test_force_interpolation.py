@@ -19,8 +19,8 @@ def test_interpolation_between_ranges_follows_power_laws():
     fine = np.geomspace(0.5, 10, 33)
     power_laws = power_curves()[:, :1] * (fine / 0.5) ** SLOPES[:, None]
     np.testing.assert_allclose(interpolate_to_ranges(power_curves(), RHOS, fine), power_laws)
-    from_two_ranges = interpolate_to_ranges(power_curves()[:, :2], RHOS[:2], np.array([0.7]))
-    np.testing.assert_allclose(from_two_ranges[:, 0], power_curves()[:, 0] * (0.7 / 0.5) ** SLOPES)
+    two_range_forces = interpolate_to_ranges(power_curves()[:, :2], RHOS[:2], np.array([0.7]))
+    np.testing.assert_allclose(two_range_forces[:, 0], power_curves()[:, 0] * (0.7 / 0.5) ** SLOPES)
 
 
 def sphere_on_steps(rhos):

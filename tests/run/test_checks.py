@@ -145,9 +145,19 @@ def test_masters_under_a_rough_sphere_have_its_pixels(tmp_path, project_folder):
     check_configuration(paper_configuration(), tmp_path, rows)
     rough = paper_configuration({"band.sphere_roughness": True})
     message = refusal(check_configuration, rough, tmp_path, rows)
-    assert_says(
-        message, "16384 pixels per row of the long-edge masters of polished_uncd", "found 25600"
-    )
+    assert_says(message, "found 25600")
+    for surface in ("polished_uncd", "uncd", "ncd", "mcd"):
+        assert_says(message, f"16384 pixels per row of the long-edge masters of {surface} and")
+
+
+def test_each_surface_has_one_line_for_a_load_that_it_cannot_carry(tmp_path, project_folder):
+    """At 5 kPa the preload needs more pixels than windows and masters have."""
+    soft = paper_configuration({"contact.hardness": "5 kPa"})
+    message = refusal(check_configuration, soft, tmp_path, ROWS)
+    lines = [line for line in message.splitlines() if "contact.preload: " in line]
+    assert_says(message, "at a hardness of 5 kPa")
+    for surface in ("polished_uncd", "uncd", "ncd", "mcd"):
+        assert sum(f"of {surface} " in line for line in lines) == 1
 
 
 # Scans that the study has stored

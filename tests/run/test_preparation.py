@@ -98,9 +98,10 @@ def test_a_run_says_which_values_of_an_earlier_run_it_replaces(tmp_path, monkeyp
         printed = capsys.readouterr().err
         assert line in printed
         assert bool(printed) == bool(line)
-    earlier.write_text("unknown: key", "utf-8")
-    preparation.complete_configuration(*configured("study=harder"))
-    assert capsys.readouterr().err == ""
+    for edited in ("unknown: key", "contact: {hardness: 3"):
+        earlier.write_text(edited, "utf-8")
+        preparation.complete_configuration(*configured("study=harder"))
+        assert capsys.readouterr().err == ""
 
 
 def test_a_quick_study_has_its_own_folders():

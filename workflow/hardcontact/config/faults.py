@@ -130,12 +130,12 @@ def _describe_fault(fault: Mapping[str, Any]) -> str:
 def _describe_unknown(model: type[BaseModel], section: type[BaseModel], names: list[str]) -> str:
     """Return the accepted keys of a section, and the known keys that unknown names resemble."""
     known_keys = list(section.model_fields)
-    in_yaml = {key: _key_in_yaml(key) for key, _ in key_fields(model)}
+    spelling = {key: _key_in_yaml(key) for key, _ in key_fields(model)}
     # A name that several sections have stands for the first.
-    in_yaml |= {key.rpartition(".")[2]: text for key, text in reversed(in_yaml.items())}
-    in_yaml |= {key: key for key in known_keys}
-    matches = [difflib.get_close_matches(name, in_yaml, n=1, cutoff=SIMILARITY) for name in names]
-    suggestions = ", ".join(dict.fromkeys(in_yaml[key] for keys in matches for key in keys))
+    spelling |= {key.rpartition(".")[2]: text for key, text in reversed(spelling.items())}
+    spelling |= {key: key for key in known_keys}
+    matches = [difflib.get_close_matches(name, spelling, n=1, cutoff=SIMILARITY) for name in names]
+    suggestions = ", ".join(dict.fromkeys(spelling[key] for keys in matches for key in keys))
     accepted = "a key that exists" if all(matches) else f"one of {', '.join(known_keys)}"
     question = f" (did you mean {suggestions}?)" if suggestions else ""
     return f"expected {accepted}; found {', '.join(sorted(names))[:200]}{question}"

@@ -1,8 +1,8 @@
 """Limits of keys that follow from the pixels of scans and masters, and from memory.
 
-Only the first fault of each key is reported, because one value often exceeds several limits. Of a
-surface, a substrate with the sphere, or the masters of a side, only the first fault is reported,
-because later limits may assume earlier ones.
+Of each surface only the first fault of each key is reported, because one value often exceeds
+several limits. Of its scans, its contact with the sphere, and its masters of a side, only the first
+fault is reported, because later limits may assume earlier ones.
 """
 
 import math
@@ -76,11 +76,11 @@ def study_contacts(study: dict[str, Any]) -> dict[str, NamedContact]:
 
 def refuse_unfit_values(study: dict[str, Any], extents: Mapping[str, Extent]) -> None:
     """Refuse values that the extents of scans, by surface, do not permit."""
-    fault_series = list[Iterator[str]]()
+    first_faults = dict[tuple[str, str], str]()
     sphere_surface = study["sphere"]["surface"]
     master_sections = ["band", "sets"] if is_paper_study(study) else ["band"]
     for surface, extent in extents.items():
-        fault_series.append(_scan_faults(study, surface, extent))
+        fault_series = [_scan_faults(study, surface, extent)]
         if surface != sphere_surface:
             # A smooth sphere has the extent of the substrate.
             sphere_extent = extents.get(sphere_surface, extent)
@@ -90,9 +90,8 @@ def refuse_unfit_values(study: dict[str, Any], extents: Mapping[str, Extent]) ->
                 for section in master_sections
                 for side in SIDES
             ]
-    first_faults = dict[str, str]()
-    for fault in filter(None, (next(faults, "") for faults in fault_series)):
-        first_faults.setdefault(fault.partition(": expected")[0], fault)
+        for fault in filter(None, (next(faults, "") for faults in fault_series)):
+            first_faults.setdefault((surface, fault.partition(": expected")[0]), fault)
     raise_faults(first_faults.values())
 
 

@@ -172,7 +172,7 @@ def _announce_changed_values(config: Mapping[str, Any]) -> None:
     path = Path(f"results/{config['study']}/configuration.yaml")
     try:
         changes = _changed_values(config, yaml.safe_load(path.read_text("utf-8")))
-    except (OSError, KeyError, ValueError):  # no earlier run, another version, or edited
+    except (OSError, KeyError, ValueError, yaml.YAMLError):  # not there, of another version, edited
         return
     if changes:
         line = f"study {config['study']}: makes again what depends on {', '.join(changes)}"

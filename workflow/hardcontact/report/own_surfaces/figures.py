@@ -127,10 +127,10 @@ def draw_spectra(datasets: Datasets) -> Figure:
         wavelengths = 2 * np.pi / data.spectra["bin_wavevector"].values
         all_measurements = drop_padding(data.spectra)
         has_data = np.isfinite(all_measurements["psd"].values).any(axis=0)
-        with_unreliable = all_measurements.sizes["measurement"] <= MAX_UNRELIABLE_CURVES
+        draws_all = all_measurements.sizes["measurement"] <= MAX_UNRELIABLE_CURVES
         measurements = split_measurements(all_measurements)
         for measurement, marker in zip(measurements, cycle(style.MARKERS), strict=False):
-            _draw_measurement(axes, wavelengths, measurement, marker, with_unreliable)
+            _draw_measurement(axes, wavelengths, measurement, marker, draws_all)
         used_density = _used_spectrum(data.spectra)[has_data]
         joined_density = data.spectra["joined_psd"].values[has_data]
         axes.plot(wavelengths[has_data], used_density, color=colour, label="used")
@@ -214,7 +214,7 @@ def _titled_panels(titles: Collection[str], height: float) -> tuple[Figure, np.n
 
 
 def _draw_measurement(
-    axes: Axes, wavelengths: np.ndarray, measurement: xr.Dataset, marker: str, with_unreliable: bool
+    axes: Axes, wavelengths: np.ndarray, measurement: xr.Dataset, marker: str, draws_all: bool
 ) -> None:
     """Draw the PSD (nm⁴) of one measurement where it is reliable; grey elsewhere, if asked for."""
     density = measurement["psd"].values
@@ -224,7 +224,7 @@ def _draw_measurement(
     colour = KIND_COLOURS[str(measurement["kind"].item())]
     reliable_density = np.where(is_reliable, density, np.nan)
     axes.plot(wavelengths, reliable_density, color=colour, label=name, **reliable_look)
-    if with_unreliable and np.isfinite(density[~is_reliable]).any():
+    if draws_all and np.isfinite(density[~is_reliable]).any():
         look: style.Look = reliable_look | UNRELIABLE_LOOK | {"label": f"{name}, not reliable"}
         axes.plot(wavelengths, np.where(is_reliable, np.nan, density), **look)
 
