@@ -21,7 +21,7 @@ import xarray as xr
 
 from hardcontact.base.statistics import Sampling
 from hardcontact.contact.contact import CONTACT_AXES
-from hardcontact.inference.edges import MEAN_GROUP, edges_of_masters
+from hardcontact.inference.edges import MEAN_GROUP, edges_of_independent_masters
 from hardcontact.inference.forces_on_masters import read_master_forces
 from hardcontact.paper.claims.band_quantities import band_edge, outermost_edge
 from hardcontact.paper.claims.verdicts import read_judged_claims
@@ -35,7 +35,7 @@ def claimed_edges(filtered_forces, ratio, settings):
     """Return the edges in nm by the id of their claim, from ratios (surface, realization, ...)."""
     sampling = Sampling(settings["seed"], 0, settings["confidence"])  # no samples, only edges
     ratios = filtered_forces.drop_dims("realization").assign(filtered_force_ratio=ratio)
-    edges, _ = edges_of_masters(ratios, settings["tolerance"], sampling)
+    edges, _ = edges_of_independent_masters(ratios, settings["tolerance"], sampling)
     kinds = {"first": outermost_edge(edges), "mean": band_edge(edges).sel(group=MEAN_GROUP)}
     return {
         f"{side}_edge_{kind}": edge["value"].sel(side=side).item()

@@ -11,7 +11,7 @@ from scipy import stats
 from hardcontact.base.arrays import generator
 from hardcontact.base.dataset import stack
 from hardcontact.contact.contact import Contact
-from hardcontact.inference.edges import edges_of_scans
+from hardcontact.inference.edges import edges_of_shared_scans
 from hardcontact.inference.forces_on_masters import (
     Filters,
     add_force_ratios,
@@ -54,7 +54,7 @@ def ratio_intervals(filtered_forces, tiles):
     Such an interval contains 1 + TOLERANCE if the interval of the edge contains the cutoff.
     """
     master_scans = MasterScans(scan_counts={"a": 1}, tiles=tiles, touched_patches={"a": 99})
-    edges = edges_of_scans(filtered_forces, None, master_scans, TOLERANCE, confidence=0.95)
+    edges = edges_of_shared_scans(filtered_forces, None, master_scans, TOLERANCE, confidence=0.95)
     return edges.filtered_force_ratio_interval.isel(surface=0).max("cutoff_wavelength")
 
 
@@ -69,8 +69,8 @@ def assert_contained(intervals):
 
 # Both edges, of a spectrum that is known
 
-#: Edges in nm of the mean over 300 other scans, from `edges_of_scans` of the draws 1000 to 1299;
-#: 95 % of 2000 samples of these scans with replacement give 135 to 138 nm and 671 to 705 nm.
+#: Edges in nm of the mean over 300 other scans, from `edges_of_shared_scans` of the draws 1000 to
+#: 1299; 95 % of 2000 samples of these scans with replacement give 135 to 138 nm and 671 to 705 nm.
 TRUE_EDGES = {"short": 137.0, "long": 688.0}
 FILTERS = {side: Filters(side, 256, [edge]) for side, edge in TRUE_EDGES.items()}
 

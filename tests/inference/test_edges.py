@@ -42,6 +42,23 @@ def test_an_edge_is_interpolated_in_log_wavelength():
     assert edge(0, -0.1, 0.2) == pytest.approx(10 ** (1 + 2 / 3))
 
 
+@pytest.mark.parametrize(
+    ("side", "changes", "edge", "status", "bound"),
+    [
+        ("short", [0.00, 0.05, 0.15], np.sqrt(20 * 40), "found", np.nan),
+        ("long", [0.15, 0.05, 0.00], np.sqrt(20 * 10), "found", np.nan),
+        ("short", [0.15, 0.05, 0.00], np.nan, "open_below", 10),
+        ("short", [0.00, 0.05, 0.05], np.nan, "open_above", 40),
+        ("long", [0.00, 0.05, 0.15], np.nan, "open_above", 40),
+        ("long", [0.05, 0.05, 0.00], np.nan, "open_below", 10),
+    ],
+)
+def test_an_edge_is_found_or_open_as_find_edges_says(side, changes, edge, status, bound):
+    edges = find_edges(make_curve(side, np.array([10.0, 20, 40]), changes), (-0.1, 0.1))
+    np.testing.assert_allclose([edges["edge"], edges["edge_bound"]], [edge, bound])
+    assert edges["edge_status"] == status
+
+
 def test_the_edge_of_a_ratio_that_crosses_one_is_where_it_leaves_the_tolerance():
     # The known curve is (3 µm / cutoff)^0.16: 1 at 3 µm, 0.91 and 1.12 at the cutoffs around it.
     cutoffs = np.array([20e3, 5380.0, 1450.0, 389.0])

@@ -5,7 +5,7 @@ import xarray as xr
 from known_masters import master_ratios
 
 from hardcontact.base.statistics import Sampling, interval_ends, student_log_interval
-from hardcontact.inference.edges import edges_of_masters
+from hardcontact.inference.edges import edges_of_independent_masters
 
 CUTOFFS = [10.0, 100.0, 1000.0, 10000.0]
 LONG = [np.nan, np.nan, 3.0, 1.0]
@@ -14,7 +14,7 @@ LONG = [np.nan, np.nan, 3.0, 1.0]
 def edges_of(ratios, samples=0, confidence=0.95):
     """Return the edges of ratios (surface, realization, side, cutoff)."""
     sampling = Sampling(seed=0, sample_count=samples, confidence=confidence)
-    edges, _ = edges_of_masters(master_ratios(ratios, CUTOFFS), 0.1, sampling)
+    edges, _ = edges_of_independent_masters(master_ratios(ratios, CUTOFFS), 0.1, sampling)
     return edges
 
 

@@ -5,7 +5,7 @@ import pytest
 import xarray as xr
 from known_masters import LONG, SHORT, filtered_forces
 
-from hardcontact.inference.edges import edges_of_scans
+from hardcontact.inference.edges import edges_of_shared_scans
 from hardcontact.inference.mean_forces import MasterScans
 
 
@@ -15,7 +15,7 @@ def edges_of(curves, scans, hindcast=None, spread=0.0):
         scan_counts={"a": scans, "b": scans}, tiles=2, touched_patches={"a": 99, "b": 99}
     )
     forces = filtered_forces(curves, spread)
-    return edges_of_scans(forces, hindcast, master_scans, tolerance=0.1, confidence=0.95)
+    return edges_of_shared_scans(forces, hindcast, master_scans, tolerance=0.1, confidence=0.95)
 
 
 def make_hindcast(ratio=1.0, filtered_scan_ratio=1.0):

@@ -1,10 +1,12 @@
 """The edges of the band: the cutoffs at which the change of the force exceeds a tolerance.
 
-A curve (..., cutoff_wavelength) is the change of the force with the cutoff: ln(ratio) for a single
-surface, the mean of |ratio - 1| for several. The ratio is the force on filtered relative to
-unfiltered roughness. A curve's ``side`` is short if wavelengths below the cutoff are removed, long
-if those above it are. A curve is NaN at the cutoffs of the other side. A change between both
-`limits` does not count.
+A filter removes all wavelengths below a cutoff (side ``short``) or above it (side ``long``). Its
+force ratio is the force on the filtered roughness relative to the force on all roughness. A curve
+(..., cutoff_wavelength) is the change of the force with the cutoff: ln(ratio) for a single surface,
+the mean of |ratio - 1| for several. The edge of a curve is the cutoff at which it first leaves
+`limits`, as more and more waves are removed.
+
+Curves of both sides may share one dimension of cutoffs. Each is NaN at the cutoffs of the other.
 """
 
 from enum import StrEnum
@@ -53,13 +55,28 @@ def find_edges(
 ) -> xr.Dataset:
     """Return ``edge``, ``edge_bound`` (...) in nm and ``edge_status`` of curves.
 
-    Between cutoffs, a curve is linear in the logarithm of the cutoff; it is zero at its spectrum
-    end (nm), if known. An open edge is NaN and lies beyond its bound; other edges have no bound.
+    Each curve is followed from few removed waves to many: towards longer cutoffs on the short side,
+    towards shorter ones on the long side. Between cutoffs it is linear in the logarithm of the
+    cutoff. For example, with limits of -0.1 and 0.1:
+
+        side    10 nm   20 nm   40 nm   leaves the limits between   edge
+        short   0.00    0.05    0.15    20 and 40 nm                28 nm
+        long    0.15    0.05    0.00    20 and 10 nm                14 nm
+
+    If no limit is crossed between cutoffs, the edge is open: ``edge`` is NaN, ``edge_bound`` is the
+    cutoff nearest to the edge, and the status says on which side of this bound the edge lies.
+
+        side    the curve is               edge_status   edge_bound
+        short   outside from the first on  open_below    shortest cutoff
+        short   inside to the last         open_above    longest cutoff
+        long    outside from the first on  open_above    longest cutoff
+        long    inside to the last         open_below    shortest cutoff
+
+    A curve is zero at the end of its spectrum (nm), if known, because no waves are removed there.
+    Then a curve that is outside from the first on has its edge between this end and its first
+    cutoff.
     """
     lower, upper = limits
-    # Signed cutoffs make the long side a copy of the short one: on both, a larger signed cutoff
-    # removes more waves. A curve is followed from few removed waves to many. It leaves the limits
-    # between the cutoffs `last_inside` and `first_outside`.
     # Variables have no labels, because aligning labels would take most of the time.
     changes: Any = curves.variable
     signed_cutoffs = _signed_cutoffs(curves)
@@ -68,17 +85,15 @@ def find_edges(
     change_outside = changes.where(signed_cutoffs == first_outside).max(CUTOFF)
     change_inside = changes.where(signed_cutoffs == last_inside).max(CUTOFF).fillna(0.0)
     cutoff_inside = abs(last_inside).fillna(xr.as_variable(spectrum_ends))
-    limit = change_outside.clip(lower, upper)
-    share = (limit - change_inside) / (change_outside - change_inside)
+    crossed_limit = change_outside.clip(lower, upper)
+    share = (crossed_limit - change_inside) / (change_outside - change_inside)
     edge = np.exp(np.log(cutoff_inside) + share * np.log(abs(first_outside) / cutoff_inside))
     is_open = edge.isnull()
     signed_bound = last_inside.fillna(first_outside).where(is_open)
     is_short = signed_bound > 0
-    # The curve may lie outside at its first cutoff: then the edge comes before, at a shorter cutoff
-    # on the short side, at a longer one on the long side. If the curve lies inside at its last
-    # cutoff, the edge comes after it, and the opposite holds.
-    is_open_below = first_outside.notnull() == is_short
-    open_status = np.where(is_open_below, EdgeStatus.OPEN_BELOW, EdgeStatus.OPEN_ABOVE)
+    # An open edge comes before the first cutoff, or after the last one.
+    comes_before = first_outside.notnull()
+    open_status = np.where(is_short == comes_before, EdgeStatus.OPEN_BELOW, EdgeStatus.OPEN_ABOVE)
     return xr.Dataset(
         {
             "edge": (edge.dims, edge.values, NM),
@@ -90,7 +105,11 @@ def find_edges(
 
 
 def _signed_cutoffs(curves: xr.DataArray) -> Any:
-    """Return the cutoffs (nm) of curves, negative on the long side, so that larger remove more."""
+    """Return the cutoffs (nm) of curves, negative on the long side.
+
+    A larger signed cutoff removes more waves on both sides, so that both are searched alike:
+    10, 20, 40 nm on the short side, -40, -20, -10 nm on the long side. NaN where the curve is NaN.
+    """
     is_short = curves["side"].variable == "short"
     cutoffs: Any = curves[CUTOFF].variable * (2 * is_short - 1)
     return cutoffs.where(curves.variable.notnull()).transpose(*curves.dims)
@@ -99,7 +118,8 @@ def _signed_cutoffs(curves: xr.DataArray) -> Any:
 def _first_and_last_before(signed_cutoffs: Any, mask: Any) -> tuple[Any, Any]:
     """Return the first signed cutoff (...) at which a mask is true, and the last before it.
 
-    Without a true value, the first is NaN, and the last that of the curve.
+    If the mask is true nowhere, the first is NaN, and the last is the last of the curve. If it is
+    true at the first cutoff of the curve, the last before it is NaN.
     """
     first = signed_cutoffs.where(mask).min(CUTOFF)
     return first, signed_cutoffs.where(~(signed_cutoffs >= first)).max(CUTOFF)
@@ -108,11 +128,12 @@ def _first_and_last_before(signed_cutoffs: Any, mask: Any) -> tuple[Any, Any]:
 def edge_intervals(
     curves: xr.DataArray, lowest: xr.DataArray, highest: xr.DataArray, limits: tuple[float, float]
 ) -> xr.Variable:
-    """Return the cutoffs (..., end) in nm between which edges lie.
+    """Return the shorter and the longer cutoff (..., end) in nm between which edges lie.
 
-    Intervals of curves reach from `lowest` to `highest`. The ends are the last cutoff before an
-    interval reaches beyond the limits, and the first cutoff with an interval wholly outside; NaN
-    without such a cutoff, or if an interval is missing.
+    At each cutoff the curve lies between `lowest` and `highest`, its interval. The edge cannot come
+    before the last cutoff at which this interval, and all before it, lie within the limits. It must
+    have come at the first cutoff at which the interval lies wholly outside. An end is NaN if there
+    is no such cutoff; both are NaN if an interval is missing.
     """
     lower, upper = limits
     low, high = lowest.variable, highest.variable
@@ -150,8 +171,10 @@ def edges_of_ratios(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
 def find_ripples(curves: xr.DataArray, limits: tuple[float, float]) -> xr.DataArray:
     """Return whether ripples of the filter, not the roughness, change curves of ln(ratio).
 
-    Without its short waves a random surface has lower summits, so that the force rises. If the
-    force falls first, the filter has made higher summits: ripples near steps.
+    A random surface without its short waves has lower summits, so that the force rises. A filter
+    makes ripples near a step. They are summits that the scan does not have, so that the force
+    falls. So a short edge is due to ripples if the force falls below the limits before it rises
+    above them. Ripples do not spoil the long side, where the force may do either.
     """
     lower, upper = limits
     falls_at = curves[CUTOFF].where(curves < lower).min(CUTOFF)
@@ -199,14 +222,16 @@ def labelled_edges(
     )
 
 
-def edges_of_masters(
+def edges_of_independent_masters(
     forces: xr.Dataset, tolerance: float, sampling: Sampling
 ) -> tuple[xr.Dataset, xr.DataArray]:
-    """Return ratios and changes of the force on substitutes with their edges, and sampled edges.
+    """Return the edges of substitutes, with intervals from samples, and the sampled edges.
 
-    Each master has another scan, so the masters are sampled. Sampled edges are (1 + sample, ...,
-    side, group). The first is the edge itself, NaN if it is open. In the samples the bound replaces
-    an open edge.
+    Each master has a scan of its own, so the masters are independent, and intervals come from
+    samples of the masters. The dataset also has the ratios and changes of the force. Its groups are
+    the surfaces and their mean.
+    Sampled edges are (1 + sample, ..., side, group). The first is the edge itself, NaN if it is
+    open. In the samples the bound replaces an open edge.
     """
     # The word "scales" is a part of the seed: another word would give other samples.
     ratios = sampling.sample_means("scales", forces["filtered_force_ratio"], "realization")
@@ -234,16 +259,17 @@ def edges_of_masters(
     return result, sampled_edges
 
 
-def edges_of_scans(
+def edges_of_shared_scans(
     forces: xr.Dataset,
     hindcast: xr.Dataset | None,
     master_scans: MasterScans,
     tolerance: float,
     confidence: float,
 ) -> xr.Dataset:
-    """Return the edges of the band of every surface and the force ratios, with intervals.
+    """Return the edges of the user's surfaces, and their force ratios, with intervals.
 
-    Masters share the user's scans, so intervals come from parts of the scans.
+    Masters share the user's few scans, so they are not independent, and intervals come from parts
+    of the scans (`inference.scan_parts`), widened by the error of artificial roughness.
     `forces` is filtered_forces.nc, `hindcast` hindcast.nc, or None if all surfaces are substitutes.
     """
     ratios = summarize_masters(
@@ -253,8 +279,9 @@ def edges_of_scans(
         ratios = _widen_ratios(ratios, hindcast["hindcast_ratio"])
     edges = edges_of_ratios(ratios, tolerance)
     if hindcast is not None:
-        # `find_ripples` tests masters, but artificial roughness lowers their forces, and may hide
-        # ripples. So the scans alone are tested, too.
+        # `find_ripples` has tested the masters. Artificial roughness lowers the forces on all
+        # masters, filtered or not, so that ripples may change their ratio little. So the ratio
+        # of the forces on the scans alone is tested, too.
         scan_ratio = hindcast["filtered_scan_ratio"].reindex(surface=edges["surface"])
         are_rippled = (edges["side"] == "short") & (scan_ratio < 1 - tolerance)
         edges = remove_rippled_edges(edges, are_rippled).transpose("surface", "side", ...)

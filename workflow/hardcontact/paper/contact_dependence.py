@@ -11,7 +11,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.statistics import Sampling, as_variables, jackknife_interval, student_interval
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES, CONTACT_MODELS, PLASTIC, RIGID
-from hardcontact.inference.edges import edges_of_masters, find_edges, logarithmic_limits
+from hardcontact.inference.edges import edges_of_independent_masters, find_edges, logarithmic_limits
 
 #: Labels of the exponents against the roots of the sphere's radius and of the area in contact.
 SCALED_QUANTITIES = ["radius", "contact"]
@@ -113,7 +113,7 @@ def compute_edge_shifts(forces: xr.Dataset, tolerance: float, sampling: Sampling
     # Sorted by area, rigid contact is the first, as in CONTACT_MODELS: its area is zero.
     forces = forces.squeeze("radius", drop=True).sortby("contact_area").drop_vars("contact_area")
     forces = forces.rename(loading="contact_model").assign_coords(contact_model=CONTACT_MODELS)
-    edges, sampled_edges = edges_of_masters(forces, tolerance, sampling)
+    edges, sampled_edges = edges_of_independent_masters(forces, tolerance, sampling)
     shortest_range, longest_range = forces["rho"].min().item(), forces["rho"].max().item()
     with_both_causes = sampled_edges.sel(contact_model=PLASTIC, rho=longest_range, drop=True)
     without_cause = {

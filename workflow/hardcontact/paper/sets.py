@@ -18,7 +18,7 @@ from hardcontact.base.statistics import Sampling, student_log_samples
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.contact.pull_off import mean_over_contacts
-from hardcontact.inference.edges import edges_of_masters
+from hardcontact.inference.edges import edges_of_independent_masters
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.published_fit import PublishedForces, fit_published
 from hardcontact.paper.claims.judgement import claim_values
@@ -194,7 +194,7 @@ def _set_datasets(
         masters["filtered_force_ratio"], settings.master_count, settings.seed, set_number
     )
     set_masters = masters.drop_dims("realization").assign(filtered_force_ratio=ratio)
-    edges, _ = edges_of_masters(set_masters, settings.tolerance, sampling)
+    edges, _ = edges_of_independent_masters(set_masters, settings.tolerance, sampling)
     return {
         "topography": topography_of_set(inputs, sampled_scans, settings.confidence),
         "adhesion": adhesion,
