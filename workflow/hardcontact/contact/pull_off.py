@@ -1,8 +1,11 @@
 """Pull-off forces of two bodies and of all scans, and how window and pixels change them.
 
-A pixel attracts with the pressure (W/rho) exp(-gap/rho), Eq. 2 of the paper. The force is W/rho
-times the pixel area times the sum of exp(-gap/rho) over all pixels at closest approach, Eq. 3.
-Forces are computed at a work of adhesion W of 1 J/m², because they are proportional to it.
+A pixel attracts with the pressure (W/rho) exp(-gap/rho), Eq. 2 of the paper. The force is
+
+    F = (W/rho) a sum over all pixels of exp(-gap/rho),
+
+with the area a of a pixel and the gaps at closest approach, Eq. 3. Forces are computed at a work of
+adhesion W of 1 J/m², because they are proportional to it.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -42,10 +45,14 @@ def attraction_sums(
 ) -> Floats:
     """Return sums (pixel count, rho, contact_y, contact_x) of exp(-gap/rho) at closest approach.
 
-    If n pixels touch, each of them adds one. The other pixels of `contact_pixels` and those outside
-    add exp(-gap/rho), with gaps above the n-th smallest.
+    If n pixels touch, they are those with the n smallest reference gaps g_1 <= g_2 <= ..., and the
+    apex is at -g_n. Contact pixels have no gap, so each adds one, also if it penetrates. All other
+    pixels add exp(-(g - g_n)/rho). With N pixels in `contact_pixels`,
+
+        sum = n + sum over i = n+1 ... N of exp(-(g_i - g_n)/rho)
+                + exp((g_n - g_N)/rho) x `outside_sums`, which hold with the apex at -g_N.
     """
-    gaps = contact_pixels.reference_gaps  # in ascending order
+    gaps = contact_pixels.reference_gaps
     sums_outside = outside_sums(bodies, contact_pixels, ranges)
     rho_column = np.asarray(ranges, float)[:, None, None]
     sums = []
@@ -53,7 +60,7 @@ def attraction_sums(
         largest_gap = gaps[..., count - 1]
         open_gaps = gaps[..., count:] - largest_gap[..., None]
         open_sums = np.array([np.exp(-open_gaps / rho).sum(axis=-1) for rho in ranges])
-        # `sums_outside` hold with all contact pixels. With fewer the bodies stay further apart.
+        # With fewer contact pixels the bodies stay further apart.
         decay = np.exp((largest_gap - gaps[..., -1]) / rho_column)
         sums.append(count + open_sums + sums_outside * decay)
     return np.array(sums)
@@ -107,7 +114,7 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     contact_pixels = all_contact_pixels(bodies, max(counts))
     forces = _forces_of_pixels(bodies, contact_pixels, counts, ranges)
     reference_gaps = contact_pixels.reference_gaps
-    # In rigid contact the smallest gap is zero, in plastic contact the largest.
+    # Rigid contact: one pixel touches, that of the smallest gap. Plastic contact: all touch.
     apex_heights = -np.stack([reference_gaps[..., 0], reference_gaps[..., -1]])
     positions = bodies.geometry.positions * pixel_size
     model_axes = ("contact_model", *CONTACT_AXES)

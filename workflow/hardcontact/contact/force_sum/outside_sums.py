@@ -1,11 +1,26 @@
 """Sums of exp(-gap/rho) over the pixels of the window outside contact, for an array of contacts.
 
-`geometry` defines the reference gap g = y - u - z. Contact pixels are excluded in one of two ways:
+At a contact, the pixel p has the gap g(p) + m: its reference gap g = y - u - z (`geometry`), and
+the height m of the apex at which all contact pixels touch. Outside contact the attraction is
 
-- `sums_by_subtraction` sums over all pixels and subtracts those in contact. It is fast, but loses
-  digits at short ranges, because a pixel that penetrates by d has the term exp(d/rho).
-- `_sums_by_omission`, for short ranges and rough spheres, leaves out the pixels that touch in any
-  contact. Then it adds to each contact the pixels that touch only in others.
+    S = sum over the window without the contact pixels of exp(-(g(p) + m)/rho).
+
+All contacts share the substrate. So one product of matrices (`smooth_sphere`), or one correlation
+(`rough_sphere`), gives the sums over the whole windows of all contacts at once. But each contact
+has other contact pixels to leave out. This is done in one of two ways:
+
+- `sums_by_subtraction`: the sum over the whole window, less the sum over the contact pixels. It is
+  fast, but loses digits at short ranges, because a pixel that penetrates by d has the term
+  exp(d/rho), which must cancel.
+- `_sums_by_omission`, for short ranges and rough spheres: three sums without negative terms. Here
+  a touched pixel is a pixel of the substrate that touches in any contact of the array.
+
+      S = sum over pixels that are not touched, for all contacts at once
+        + sum over pixels that are touched, but not by this contact
+        + sum over the images of this contact's own pixels.
+
+  The substrate is periodic. If the window is wider than a period, it has several images of each
+  pixel. Of a contact pixel only one image touches; the others attract like any pixel.
 
 Exponentials are relative to the highest points of z and u, so that none overflows.
 """
@@ -69,7 +84,7 @@ def _can_subtract(
 def _sums_by_omission(
     bodies: Bodies, contact_pixels: ContactPixels, ranges: Sequence[float]
 ) -> Floats:
-    """Return `outside_sums` without subtracting contact pixels."""
+    """Return `outside_sums` as the three sums of the module's docstring."""
     substrate = bodies.substrate
     roughness = bodies.sphere_roughness
     touched_pixels = TouchedPixels(bodies, contact_pixels)
@@ -80,11 +95,13 @@ def _sums_by_omission(
     sums = np.empty((len(ranges), *contact_pixels.reference_gaps.shape[:2]))
     compute_terms = smooth_sphere_terms if roughness is None else rough_sphere_terms
     all_terms = compute_terms(bodies, touched_pixels, ranges)
-    for k, (rho, (totals, sphere_factor_at)) in enumerate(zip(ranges, all_terms, strict=True)):
+    for k, (rho, (untouched_sums, sphere_factor_at)) in enumerate(
+        zip(ranges, all_terms, strict=True)
+    ):
         substrate_factor = exponential(touched_heights, highest_substrate, rho)
-        for index in np.ndindex(totals.shape):
+        for index in np.ndindex(untouched_sums.shape):
             touched_terms = substrate_factor * sphere_factor_at(index)
             sums[k][index] = touched_pixels.sum_outside(
-                index, float(totals[index]), touched_terms, highest, rho
+                index, float(untouched_sums[index]), touched_terms, highest, rho
             )
     return sums

@@ -1,6 +1,12 @@
-"""Sums over a rough sphere: the correlation of exp(z/rho) with the kernel exp((u - y)/rho).
+"""Sums over the window below a rough sphere, for all contacts of an array at once.
 
-The substrate has the heights z. The sphere is a paraboloid of heights y with the roughness u.
+The substrate has the heights z, with a period of n pixels. The sphere is a paraboloid of heights y,
+without a period, less the roughness u, which has a period of its own. At the contact c,
+
+    sum over the window of exp((z(p) + u(p - c) - y(p - c))/rho)
+
+is a correlation of two maps of n x n pixels: exp(z/rho), and the kernel exp((u - y)/rho), summed
+over the images of each pixel in the window.
 """
 
 from collections.abc import Iterator, Sequence
@@ -35,32 +41,35 @@ def rough_sphere_terms(
     row_starts = (touched_pixels.row - positions[:, None]) % pixels * pixels
     columns = (touched_pixels.column - positions[:, None]) % pixels
     for rho in ranges:
-        sphere_factor = exponential(roughness, float(roughness.max()), rho)
-        kernel = _kernel(pixels, sphere_factor, bodies.geometry, rho)
+        roughness_factor = exponential(roughness, float(roughness.max()), rho)
+        kernel = _kernel(pixels, roughness_factor, bodies.geometry, rho)
         substrate_factor = exponential(heights, float(heights.max()), rho)
         touched_pixels.leave_out(substrate_factor)  # sets the touched pixels to zero in place
 
-        def factor_at_touched(index: tuple[int, int], kernel: Floats = kernel) -> Floats:
+        def sphere_factor_at(index: tuple[int, int], kernel: Floats = kernel) -> Floats:
             return np.asarray(kernel.take(row_starts[index[0]] + columns[index[1]]))
 
-        yield SphereTerms(_correlation(substrate_factor, kernel, positions), factor_at_touched)
+        yield SphereTerms(_correlation(substrate_factor, kernel, positions), sphere_factor_at)
 
 
 def _kernel(
-    pixels: int, sphere_factor: NDArray[np.floating], geometry: ContactGeometry, rho: float
+    pixels: int, roughness_factor: NDArray[np.floating], geometry: ContactGeometry, rho: float
 ) -> Floats:
-    """Return exp((u - max(u) - y)/rho) at offsets (n, n) from the apex.
+    """Return exp((u - max(u) - y)/rho) at offsets (n, n) from the apex, summed over images.
 
-    Offsets that differ by a period of the substrate are summed.
+    Offsets that differ by a period of the substrate meet the same pixel of it: its images. As the
+    roughness has another period, it is shifted from image to image.
     """
-    period = len(sphere_factor)
+    period = len(roughness_factor)
     axis_factors = _axis_factors_by_shift(pixels, period, geometry, rho)
     kernel = np.zeros((pixels, pixels))
     offsets = np.arange(pixels)
     for start in range(0, pixels, KERNEL_ROWS):
         rows = offsets[start : start + KERNEL_ROWS]
         for (shift_y, factor_y), (shift_x, factor_x) in product(axis_factors.items(), repeat=2):
-            shifted = sphere_factor[np.ix_((rows + shift_y) % period, (offsets + shift_x) % period)]
+            shifted_rows = (rows + shift_y) % period
+            shifted_columns = (offsets + shift_x) % period
+            shifted = roughness_factor[np.ix_(shifted_rows, shifted_columns)]
             kernel[rows] += factor_y[rows, None] * factor_x * shifted
     return kernel
 
@@ -68,9 +77,9 @@ def _kernel(
 def _axis_factors_by_shift(
     pixels: int, period: int, geometry: ContactGeometry, rho: float
 ) -> dict[int, Floats]:
-    """Return exp(-y/rho) (n,) along one axis by shift, in pixels, of the sphere's roughness.
+    """Return exp(-y/rho) (n,) along one axis, by the shift of the sphere's roughness in pixels.
 
-    Images of the substrate that meet the roughness at the same shift are summed.
+    Each image of the substrate meets the roughness at a shift. Images with equal shifts are summed.
     """
     factors: dict[int, Floats] = {}
     # The periods of the substrate that half a window reaches, rounded up.

@@ -1,8 +1,12 @@
-"""Sums of exp(-gap/rho) over the window below a smooth sphere, as products of matrices.
+"""Sums over the window below a smooth sphere, for all contacts of an array at once.
 
-The sum is such a product, because exp(-y/rho) is a product over both axes.
+The height of a paraboloid is a sum over both axes, y = y_row + y_column (`geometry`), so that
+exp(-y/rho) is a product of both. Let G (contact, n) be exp(-y/rho) along one axis for each row of
+contacts, and Z (n, n) be exp(z/rho) of the substrate. Then the sums at all contacts are the product
 
-`geometry` defines the heights y of the sphere and z of the substrate.
+    G Z G^T  (contact_y, contact_x).
+
+It takes some n^2 multiplications for each row of contacts, direct sums n^2 for each contact.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -54,18 +58,21 @@ def smooth_sphere_terms(
     factors = [axis_factors(bodies.substrate.pixels, bodies.geometry, rho) for rho in ranges]
     heights = bodies.substrate.heights
     blocks = _row_blocks(heights, np.float64, float(heights.max()), ranges, touched_pixels)
-    totals = _contact_sums(blocks, factors)
-    for total, axis_factor in zip(totals, factors, strict=True):
+    all_untouched_sums = _contact_sums(blocks, factors)
+    for untouched_sums, axis_factor in zip(all_untouched_sums, factors, strict=True):
 
-        def factor_at_touched(index: tuple[int, int], axis_factor: Floats = axis_factor) -> Floats:
+        def sphere_factor_at(index: tuple[int, int], axis_factor: Floats = axis_factor) -> Floats:
             row_factor = axis_factor[index[0], touched_pixels.row]
             return np.asarray(row_factor * axis_factor[index[1], touched_pixels.column])
 
-        yield SphereTerms(total, factor_at_touched)
+        yield SphereTerms(untouched_sums, sphere_factor_at)
 
 
 def axis_factors(pixels: int, geometry: ContactGeometry, rho: float) -> Floats:
-    """Return G = exp(-y/rho) along one axis, summed over images in the window: (contact, n)."""
+    """Return G = exp(-y/rho) (contact, n) along one axis, summed over the images in the window.
+
+    Images are the pixels that a window wider than the substrate shows again, a period away.
+    """
     offset = geometry.offsets()
     decay = np.exp(-geometry.paraboloid(offset) / rho)
     positions = geometry.positions
@@ -78,9 +85,9 @@ def _contact_sums(
     blocks: Iterable[tuple[slice, Sequence[NDArray[np.floating]]]],
     factors: Sequence[NDArray[np.floating]],
 ) -> Floats:
-    """Return G exp((z - highest)/rho) G^T (rho, contact_y, contact_x) from `_row_blocks`.
+    """Return the products G Z G^T (rho, contact_y, contact_x), added up over blocks of rows.
 
-    `factors` has G by range (`axis_factors`).
+    `blocks` are rows of Z from `_row_blocks`; `factors` has G for each range (`axis_factors`).
     """
     transposed_factors = [np.ascontiguousarray(axis_factor.T) for axis_factor in factors]
     sums = np.zeros((len(factors), len(factors[0]), len(factors[0])))
@@ -97,7 +104,10 @@ def _row_blocks(
     ranges: Sequence[float],
     touched_pixels: TouchedPixels | None = None,
 ) -> Iterator[tuple[slice, list[NDArray[np.floating]]]]:
-    """Yield rows and, by range, their exp((z - highest)/rho) (row, n), zero at touched pixels."""
+    """Yield blocks of rows, each with their Z = exp((z - highest)/rho) (row, n) for each range.
+
+    Z is zero at touched pixels, if they are given.
+    """
     for start in range(0, len(heights), BLOCK_ROWS):
         rows = slice(start, start + BLOCK_ROWS)
         block = heights[rows].astype(precision, copy=False)

@@ -1,6 +1,6 @@
-"""Pixels that touch in any contact of an array, which the sums of exp(-gap/rho) exclude.
+"""Pixels of the substrate that touch in any contact of an array, and their part in the sums.
 
-`geometry` defines the heights z, u and y.
+`outside_sums` has the formula; `geometry` defines the heights z, u and y.
 """
 
 from collections.abc import Callable
@@ -15,12 +15,13 @@ from hardcontact.contact.geometry import Bodies, reference_gaps
 
 
 class SphereTerms(NamedTuple):
-    """The terms of the sums at one range; z and u are relative to their highest points."""
+    """What one range needs of the sphere; z and u are relative to their highest points."""
 
-    #: (contact_y, contact_x), sums of exp((z + u - y)/rho) over pixels that touch in no contact.
-    totals: Floats
-    #: Returns exp((u - y)/rho) (touched,) of a contact (i, j) at the touched pixels.
-    factor: Callable[[tuple[int, int]], Floats]
+    #: (contact_y, contact_x), sums of exp((z + u - y)/rho) over pixels that are not touched.
+    untouched_sums: Floats
+    #: Returns exp((u - y)/rho) (touched,) of a contact (i, j) at the touched pixels, each summed
+    #: over the pixel's images in the window.
+    sphere_factor_at: Callable[[tuple[int, int]], Floats]
 
 
 def exponential(heights: NDArray[np.floating], highest: float, rho: float) -> NDArray[np.floating]:
@@ -31,7 +32,10 @@ def exponential(heights: NDArray[np.floating], highest: float, rho: float) -> ND
 
 
 class TouchedPixels:
-    """`row` and `column` (touched,) of the pixels of the substrate that touch in any contact."""
+    """The pixels of the substrate that touch in any contact: their `row` and `column` (touched,).
+
+    It also knows which of them touch in each contact, and the gaps of the images of these.
+    """
 
     def __init__(self, bodies: Bodies, contact_pixels: ContactPixels) -> None:
         pixels = bodies.substrate.pixels
@@ -52,17 +56,23 @@ class TouchedPixels:
         block[self.row[start:end] - first_row, self.column[start:end]] = 0.0
 
     def sum_outside(
-        self, index: tuple[int, int], total: float, terms: Floats, highest: float, rho: float
+        self,
+        index: tuple[int, int],
+        untouched_sum: float,
+        touched_terms: Floats,
+        highest: float,
+        rho: float,
     ) -> float:
         """Return the sum of exp(-gap/rho) outside a contact (i, j), whose pixels all touch.
 
-        `total` is the sum over pixels that touch in no contact; `terms` (touched,) are overwritten.
-        Both are for the apex at height 0, relative to exp(highest/rho).
+        `untouched_sum` and `touched_terms` (touched,) are for the apex at height 0, relative to
+        exp(highest/rho). The terms are overwritten.
         """
-        terms[self._indices_of_contact[index]] = 0.0
+        touched_terms[self._indices_of_contact[index]] = 0.0
         largest_gap = self._largest_gaps[index]
+        scale = np.exp((largest_gap + highest) / rho)  # brings the apex to minus the largest gap
         image_sum = np.exp((largest_gap - self._image_gaps[index]) / rho).sum()
-        return float(np.exp((largest_gap + highest) / rho) * (total + terms.sum()) + image_sum)
+        return float(scale * (untouched_sum + touched_terms.sum()) + image_sum)
 
 
 def _flat_indices(positions: NDArray[np.int_], pixels: int) -> NDArray[np.int_]:
@@ -72,7 +82,11 @@ def _flat_indices(positions: NDArray[np.int_], pixels: int) -> NDArray[np.int_]:
 
 
 def _image_gaps(bodies: Bodies, apex: NDArray[np.int_], offsets: NDArray[np.int_]) -> Floats:
-    """Return reference gaps (k,) in the window of images of contact pixels that do not touch."""
+    """Return the reference gaps (k,) of the images of contact pixels that lie in the window.
+
+    Images of contact pixels that touch themselves are left out. Without a window wider than a
+    period there are no images.
+    """
     pixels = bodies.substrate.pixels
     geometry = bodies.geometry
     if geometry.window_pixels <= pixels:
