@@ -97,9 +97,9 @@ def test_the_headline_explains_an_undecided_long_edge_of_artificial_roughness(
     verdict, edge, explained
 ):
     rows = change_claim("long_edge_first", verdict=verdict, computed=edge)
-    (line,) = [line for line in answer(rows)["headline"] if line.startswith("The long edge is")]
-    end_of_sentence = ", because it rests on chance" if explained else "."
-    assert f"It is {verdict}{end_of_sentence}" in line
+    (line,) = [line for line in answer(rows)["headline"] if line.startswith("Long edge")]
+    assert line.startswith(f"Long edge, {verdict}: ")
+    assert ("It rests on chance" in line) == explained
     assert ("is likely too long" in line) == explained
 
 
@@ -108,8 +108,8 @@ def test_the_headline_names_the_coatings_with_the_outermost_edges():
     for side, values in {"short": [53, 37, 66, 60], "long": [2000, 1800, 2800, 1900]}.items():
         edges["edge"].loc[{"side": side, "group": list(SUBSTRATES)}] = values
     headline = answer(edges=edges)["headline"]
-    for side, label in (("short", LABELS[1]), ("long", LABELS[2])):
-        (line,) = [line for line in headline if line.startswith(f"The {side} edge is ")]
+    for side, label in (("Short", LABELS[1]), ("Long", LABELS[2])):
+        (line,) = [line for line in headline if line.startswith(f"{side} edge")]
         assert f", on {label}" in line
 
 

@@ -28,7 +28,7 @@ def draw(
     panels.draw_octaves(octave_axes, sensitivity)
     style.label_panel(octave_axes, "a", "change of the force with the amplitude of one octave")
     tolerance = edges.attrs["tolerance"]  # all that this figure takes from the edges
-    titles = {"published": "published band", "computed": "computed band"}
+    titles = {"published": "published band", "computed": "averaged edges"}
     ratio_axes[1].sharey(ratio_axes[0])
     for letter, axes, (band_name, title) in zip("bc", ratio_axes, titles.items(), strict=True):
         ratios = band_forces.sel(band=band_name)
