@@ -86,7 +86,7 @@ def test_scans_of_the_default_study_keep_table_1(surface, grid, rows):
         surface, spectrum, table1, paper_numbers.CONSTANTS, grid, PAPER["seed"]
     )
     targets = surface_substitute.targets
-    assert targets.met_rows == tuple(rows)
+    assert targets.published_rows == tuple(rows)
     published_means = table1.value[list(rows)]
     np.testing.assert_allclose(list(targets.means.values())[: len(rows)], published_means)
     assert targets.rms_height_std == pytest.approx(table1.uncertainty["afm_rms_height"])
@@ -100,7 +100,7 @@ def test_the_targets_of_an_uncalibrated_spectrum_are_its_own_rms_values(spectrum
     rms_values = spectrum.attrs["expected_scan_rms"]
     np.testing.assert_array_equal(list(targets.means.values()), rms_values)
     assert targets.rms_height_std == pytest.approx(0.25 * rms_values[0])  # 5/20 in TABLE1
-    assert targets.met_rows == ()
+    assert targets.published_rows == ()
 
 
 def test_coarser_pixels_keep_the_rms_height(spectrum):
@@ -109,7 +109,7 @@ def test_coarser_pixels_keep_the_rms_height(spectrum):
     targets = coarse_substitute.targets
     rms_values = expected_scan_rms(UNCD, scan_rms_weights(128, 2 * PIXEL, 32))
     np.testing.assert_allclose(list(targets.means.values()), [20.0, *rms_values[1:]])
-    assert targets.met_rows == ("afm_rms_height",)
+    assert targets.published_rows == ("afm_rms_height",)
     batch = substitutes.condition_batch(coarse_substitute, targets, [1, 2])
     assert batch.attrs["table1_rows_met"] == "afm_rms_height,all_rms_slope"
 
@@ -144,4 +144,4 @@ def test_scans_of_another_size_meet_no_row_of_table_1(spectrum):
     targets = substitute(spectrum, grid).targets
     rms_values = expected_scan_rms(UNCD, scan_rms_weights(512, PIXEL, 128))
     np.testing.assert_allclose(list(targets.means.values()), rms_values)
-    assert targets.met_rows == ()
+    assert targets.published_rows == ()

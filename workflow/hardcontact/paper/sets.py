@@ -6,6 +6,7 @@ sampled with replacement from masters that all sets share.
 """
 
 from collections.abc import Mapping, Sequence
+from itertools import islice
 from typing import NamedTuple
 
 import numpy as np
@@ -159,25 +160,37 @@ def sample_sets(
 ) -> xr.Dataset:
     """Return sets.nc: values (set, claim) of claims, fit and edges of each set, sphere factor."""
     set_numbers = range(1, settings.set_count + 1)
-    batch: list[dict[str, xr.Dataset]] = []
-    results = []
-    for set_number in progress(set_numbers, len(set_numbers), "sets"):
-        batch.append(_set_datasets(inputs, published, settings, set_number))
-        if len(batch) < SETS_AT_ONCE and set_number < settings.set_count:
-            continue
-        datasets = {name: xr.concat([member[name] for member in batch], "set") for name in batch[0]}
-        variables = [
-            claim_values(claims, datasets, constants).to_dataset(name="value"),
-            datasets["fit"][SET_FIT_VARIABLES],
-            datasets["edges"][SET_EDGE_VARIABLES],
-        ]
-        results.append(xr.merge(variables, join="exact", combine_attrs="drop_conflicts"))
-        batch = []
+    datasets_of_sets = (
+        _set_datasets(inputs, published, settings, set_number)
+        for set_number in progress(set_numbers, len(set_numbers), "sets")
+    )
+    results = [
+        _estimate_sets(list(islice(datasets_of_sets, SETS_AT_ONCE)), claims, constants)
+        for _ in range(0, settings.set_count, SETS_AT_ONCE)
+    ]
     return (
         xr.concat(results, "set")
         .assign_coords(set=set_numbers)
         .assign(sphere_factor=inputs.sphere_factor.assign_attrs(DIMENSIONLESS))
     )
+
+
+def _estimate_sets(
+    datasets_of_sets: Sequence[Mapping[str, xr.Dataset]],
+    claims: pd.DataFrame,
+    constants: pd.DataFrame,
+) -> xr.Dataset:
+    """Return values (set, claim) of claims, the fit and the edges of some sets."""
+    datasets = {
+        name: xr.concat([set_datasets[name] for set_datasets in datasets_of_sets], "set")
+        for name in datasets_of_sets[0]
+    }
+    variables = [
+        claim_values(claims, datasets, constants).to_dataset(name="value"),
+        datasets["fit"][SET_FIT_VARIABLES],
+        datasets["edges"][SET_EDGE_VARIABLES],
+    ]
+    return xr.merge(variables, join="exact", combine_attrs="drop_conflicts")
 
 
 def _set_datasets(

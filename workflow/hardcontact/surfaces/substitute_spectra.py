@@ -16,6 +16,7 @@ import xarray as xr
 
 from hardcontact.base.arrays import Floats
 from hardcontact.surfaces.levelling import squared_projections
+from hardcontact.surfaces.metrics import TABLE1_METRICS
 from hardcontact.surfaces.spectral_models import (
     SPECTRAL_MODELS,
     isotropic_through_points,
@@ -42,7 +43,7 @@ ROLLOFF_FACTOR = 1.5
 #: Largest number of samples until one can be calibrated: every second sample of NCD and MCD can.
 MAX_SAMPLES = 100
 #: Rows of Table 1 to which the spectrum of scans and the tail are fitted.
-AFM_ROWS = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
+AFM_ROWS = tuple(TABLE1_METRICS)
 TAIL_ROWS = ("all_rms_slope", "all_rms_curvature")
 #: Rows of Table 1 to which a model is calibrated if its Hurst exponent is blank.
 CALIBRATION_ROWS = {"self-affine": AFM_ROWS, "varying Hurst": AFM_ROWS, "power law": TAIL_ROWS}

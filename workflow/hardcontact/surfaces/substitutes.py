@@ -1,9 +1,19 @@
 """Substitutes: random surfaces in place of surfaces of the paper that were not measured here.
 
-A substitute has a spectrum calibrated on Table 1, a grid of scans, and targets for batches of its
-scans. A smooth gain of amplitudes gives a batch the mean rms height, slope and curvature. A factor
-on the heights of each scan gives the batch the standard deviation of rms heights. A batch may miss
-slope or curvature because the gain is bounded.
+A substitute gets its scans in three steps, because random scans of a spectrum that agrees with
+Table 1 agree with Table 1 only on average:
+
+1. `substitute_spectra` calibrates a spectrum, so that its scans are expected to have the values of
+   Table 1: mean rms height, slope and curvature.
+2. Random waves with this spectrum make a surface around each scan, and the scan is a corner of it.
+   The number of the scan seeds its random numbers, so that the same scan can be made again.
+3. `condition_batch` corrects what chance did to a batch, usually five scans. All scans of the batch
+   get the same gain, a smooth factor on the amplitudes of waves of each wavelength. Then each scan
+   gets a factor on its heights. The batch then has the values of Table 1, and the standard
+   deviation of rms heights, too. It may miss slope or curvature, because the gain is bounded.
+
+Two kinds of scans take another third step: sets (`paper.pool`) scale rms heights only, and scans
+with bumps or pits (`features`) are the nearest to Table 1 of many, and are not scaled.
 """
 
 import math
@@ -45,16 +55,18 @@ from hardcontact.surfaces.synthesis import (
     white_noise_transform,
 )
 
-#: Largest ratio, either way, of the gains of long and of middle or short waves.
+#: Largest ratio, either way, of the amplitudes of middle or short waves to those of long waves.
 MAX_AMPLITUDE_RATIO = 4.0
 
 
 class Targets(NamedTuple):
     """The statistics to which a batch of scans of one surface is fitted."""
 
-    means: Mapping[str, float]  #: Mean rms height (nm), slope, curvature (1/nm), by TABLE1_METRICS.
+    #: Mean rms height (nm), slope and curvature (1/nm) of the scans, named as in TABLE1_METRICS.
+    means: Mapping[str, float]
     rms_height_std: float  #: Standard deviation of the rms heights in nm (ddof 1).
-    met_rows: tuple[str, ...]  #: Names of the rows of Table 1 that the means equal.
+    #: Those of AFM_ROWS whose published value is the target; other targets are expected values.
+    published_rows: tuple[str, ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,35 +89,44 @@ class Substitute:
         """The calibrated C_iso."""
         return spectrum_of_dataset(self.spectrum_data)
 
+    @property
+    def calibrated_rows(self) -> list[str]:
+        """Rows of Table 1 on which the spectrum is calibrated, of scans and over all scales."""
+        return str(self.spectrum_data.attrs["table1_rows_met"]).split(",")
+
     @cached_property
     def targets(self) -> Targets | None:
         """Targets of scans on the study's pixels; None if no rms height is published.
 
-        Calibrated rows of Table 1 give the rms height of scans of the paper's size, and slope and
-        curvature if the pixels are the paper's, too. Other means follow from the spectrum.
+        A target is the published value if the spectrum is calibrated on that row of Table 1, and if
+        the row holds on the study's pixels. The rms height holds for scans as wide as the paper's,
+        because smaller pixels hardly add to it. Slope and curvature need the paper's pixels, too.
+        Any other target is the value that the spectrum lets expect.
         """
         if "afm_rms_height" not in self.table1.index:
             return None
-        grid = self.grid
         paper_constants = self.constants["value"]
-        same_size = math.isclose(grid.size, paper_constants["scan_size"])
-        same_pixels = same_size and grid.pixels == paper_constants["scan_pixels"]
-        rms_values = np.array(self.spectrum_data.attrs["expected_scan_rms"])
-        if not same_pixels:
-            # Waves up to four times the scan's width change its heights, although it is levelled.
-            weights = scan_rms_weights(4 * grid.pixels, grid.pixel_size, grid.pixels)
-            rms_values = expected_scan_rms(self.spectrum, weights)
-        calibrated_rows = self.spectrum_data.attrs["table1_rows_met"].split(",")
+        same_size = math.isclose(self.grid.size, paper_constants["scan_size"])
+        same_pixels = same_size and self.grid.pixels == paper_constants["scan_pixels"]
         holds_on_grid = dict(zip(AFM_ROWS, (same_size, same_pixels, same_pixels), strict=True))
-        met_rows = [row for row in AFM_ROWS if holds_on_grid[row] and row in calibrated_rows]
-        for row in met_rows:
-            rms_values[AFM_ROWS.index(row)] = self.table1.loc[row, "value"]
+        published_rows = [row for row in self.calibrated_rows if holds_on_grid.get(row)]
+        rms_values = self._expected_rms(same_pixels)
+        for row in published_rows:
+            rms_values[AFM_ROWS.index(row)] = self.table1["value"][row]
         height_row = self.table1.loc["afm_rms_height"]
         return Targets(
             means=dict(zip(TABLE1_METRICS.values(), rms_values.tolist(), strict=True)),
             rms_height_std=float(rms_values[0] * height_row["uncertainty"] / height_row["value"]),
-            met_rows=tuple(met_rows),
+            published_rows=tuple(published_rows),
         )
+
+    def _expected_rms(self, has_paper_pixels: bool) -> Floats:
+        """Return the expected rms height (nm), slope and curvature (1/nm) of its scans: (3,)."""
+        if has_paper_pixels:
+            return np.array(self.spectrum_data.attrs["expected_scan_rms"])
+        # Waves up to four times the scan's width change its heights, although it is levelled.
+        weights = scan_rms_weights(4 * self.grid.pixels, self.grid.pixel_size, self.grid.pixels)
+        return expected_scan_rms(self.spectrum, weights)
 
 
 def read_substitute(
@@ -130,7 +151,11 @@ def required_targets(substitute: Substitute) -> Targets:
 
 
 def scale_rms_heights(rms_heights: Floats, mean: float, std: float) -> Floats:
-    """Return rms heights (scan,), scaled and shifted to a mean and, if several, a deviation."""
+    """Return rms heights (scan,) with a given mean and, if there are several, a given deviation.
+
+    Their order stays, and ratios of their differences. For example, (8, 12) nm become (16.5, 23.5)
+    nm for a mean of 20 nm and a deviation of 5 nm.
+    """
     differences = rms_heights - rms_heights.mean()
     if len(rms_heights) > 1:
         differences *= std / differences.std(ddof=1)
@@ -138,13 +163,17 @@ def scale_rms_heights(rms_heights: Floats, mean: float, std: float) -> Floats:
 
 
 def _component_shares(grid: ScanGrid) -> Floats:
-    """Return the shares of long, middle and short waves in amplitudes: (3, points)."""
+    """Return the shares of long, middle and short waves in amplitudes at WAVEVECTORS: (3, points).
+
+    Waves as wide as the scan or wider are all long, waves of two pixels or less all short. Waves of
+    the geometric mean of both wavelengths are all middle. Elsewhere two shares add up to 1.
+    """
     longest, shortest = grid.size, 2 * grid.pixel_size
     log_position = np.log(longest * WAVEVECTORS / (2 * np.pi)) / np.log(longest / shortest)
     # Each share gives way to the next as a squared sine.
-    long_step = np.sin(np.pi / 2 * np.clip(2 * log_position, 0, 1)) ** 2
+    middle_step = np.sin(np.pi / 2 * np.clip(2 * log_position, 0, 1)) ** 2
     short_step = np.sin(np.pi / 2 * np.clip(2 * log_position - 1, 0, 1)) ** 2
-    return np.array([1 - long_step, long_step - short_step, short_step])
+    return np.array([1 - middle_step, middle_step - short_step, short_step])
 
 
 def _multiply_amplitudes(spectrum: SpectrumFunction, amplitude_gain: Floats) -> SpectrumFunction:
@@ -159,7 +188,10 @@ def _multiply_amplitudes(spectrum: SpectrumFunction, amplitude_gain: Floats) -> 
 
 
 def _scan_components(substitute: Substitute, shares: Floats, scan_number: int) -> list[HeightMap]:
-    """Return the long, middle and short waves of a scan, levelled; they add up to the scan."""
+    """Return the long, middle and short waves of a scan, levelled: its components.
+
+    They add up to the levelled scan that `conditioned_scan` makes without gain and factor.
+    """
     grid = substitute.grid
     rng = substitute.generator(scan_number, "scan")
     transform = white_noise_transform(rng, grid.surface_pixels)
@@ -168,9 +200,11 @@ def _scan_components(substitute: Substitute, shares: Floats, scan_number: int) -
 
 
 def _metric_matrices(components: Sequence[HeightMap], names: Sequence[str]) -> Floats:
-    """Return a matrix G for each metric: on heights Σ a_k h_k its square is aᵀ G a.
+    """Return a matrix G for each metric of a scan: (metric, component, component).
 
-    With these matrices a fit of the amplitudes a needs no new scans.
+    If the amplitudes of the components are multiplied by a, the squared metric becomes aᵀ G a. So a
+    fit of a makes no new scans. For heights h_i and h_j of two components, G_ii is the squared
+    metric of h_i. G_ij is half of what the squared metric of h_i + h_j has beyond G_ii + G_jj.
     """
 
     def squared_metrics(heights: np.ndarray) -> Floats:
@@ -188,24 +222,44 @@ def _metric_matrices(components: Sequence[HeightMap], names: Sequence[str]) -> F
     return matrices
 
 
-def _fit_batch(matrices: Floats, targets: Targets) -> tuple[Floats, Floats, Floats]:
-    """Return the amplitudes (component,) and factors (scan,) that make scans meet their targets.
+class _BatchFit(NamedTuple):
+    """What makes the scans of a batch meet their targets."""
 
-    Also returns the relative errors (3,) of the mean rms height, slope and curvature. The
-    `matrices` are (scan, metric, component, component).
+    amplitudes: Floats  #: Factors (component,) on the amplitudes of long, middle and short waves.
+    factors: Floats  #: Factors (scan,) on the heights of each scan, of mean 1.
+    #: Errors (3,) of mean rms height, slope and curvature, relative to their targets.
+    mean_errors: Floats
+
+
+def _fit_batch(matrices: Floats, targets: Targets) -> _BatchFit:
+    """Fit the amplitudes of components and the factors of scans to the targets of a batch.
+
+    The `matrices` (scan, metric, component, component) are those of `_metric_matrices`. The rms
+    heights need no search, because factors give them any mean and deviation. A factor scales the
+    slope and curvature of its scan, too, so only two amplitudes are free to meet slope and
+    curvature: those of middle and short waves, relative to long waves. They are searched so:
+
+    1. For two tried amplitudes, the matrices give the rms height, slope and curvature of each scan.
+    2. Factors give the rms heights their targets. If two scans of 8 and 12 nm need 16.5 and 23.5
+       nm, the factors are 2.06 and 1.96.
+    3. The mean slope and curvature of the scans with these factors have errors, which the search
+       makes zero, or as small as MAX_AMPLITUDE_RATIO permits.
+
+    At the end, the mean of the factors moves into the amplitudes, so that all three amplitudes say
+    how much the spectrum had to change.
     """
-    means = np.array(list(targets.means.values()))
+    target_means = np.array(list(targets.means.values()))
 
-    def errors_and_factors(log_amplitudes: Floats) -> tuple[Floats, Floats]:
-        amplitudes = np.exp(np.append(0.0, log_amplitudes))
+    def errors_and_factors(log_ratios: Floats) -> tuple[Floats, Floats]:
+        amplitudes = np.exp(np.append(0.0, log_ratios))
         scan_rms = np.sqrt(np.einsum("smij,i,j->sm", matrices, amplitudes, amplitudes))
         rms_heights = scan_rms[:, 0]
-        scaled_rms_heights = scale_rms_heights(rms_heights, means[0], targets.rms_height_std)
-        factors = scaled_rms_heights / rms_heights
-        return (factors[:, None] * scan_rms).mean(axis=0) / means - 1, factors
+        target_heights = scale_rms_heights(rms_heights, target_means[0], targets.rms_height_std)
+        factors = target_heights / rms_heights
+        return (factors[:, None] * scan_rms).mean(axis=0) / target_means - 1, factors
 
-    def slope_and_curvature_errors(log_amplitudes: Floats) -> Floats:
-        mean_errors, _ = errors_and_factors(log_amplitudes)
+    def slope_and_curvature_errors(log_ratios: Floats) -> Floats:
+        mean_errors, _ = errors_and_factors(log_ratios)
         return mean_errors[1:]
 
     bound = np.log(MAX_AMPLITUDE_RATIO)
@@ -215,16 +269,21 @@ def _fit_batch(matrices: Floats, targets: Targets) -> tuple[Floats, Floats, Floa
     mean_errors, factors = errors_and_factors(fit.x)
     mean_factor = factors.mean()
     amplitudes = mean_factor * np.exp(np.append(0.0, fit.x))
-    return amplitudes, factors / mean_factor, mean_errors
+    return _BatchFit(amplitudes, factors / mean_factor, mean_errors)
 
 
 def condition_batch(
     substitute: Substitute, targets: Targets | None, scan_numbers: Sequence[int]
 ) -> xr.Dataset:
-    """Return the gain of amplitudes of a batch of scans, and each scan's factor on its heights."""
+    """Return the gain and factors with which the scans of a batch meet their targets.
+
+    ``amplitude_gain`` (wavevector) multiplies the amplitudes of waves in all scans, ``factor``
+    (scan) the heights of each. Without targets all are 1. ``table1_rows_met`` names the rows of
+    Table 1 that the scans meet, and rows over all scales that the spectrum meets.
+    """
     amplitude_gain = np.ones_like(WAVEVECTORS)
     factors = np.ones(len(scan_numbers))
-    met_rows = substitute.spectrum_data.attrs["table1_rows_met"].split(",")
+    met_rows = substitute.calibrated_rows
     if targets is not None:
         shares = _component_shares(substitute.grid)
         matrices = [
@@ -240,12 +299,12 @@ def condition_batch(
                 "scans of this surface, whose rms heights differ less"
             )
         amplitude_gain = amplitudes @ shares
-        missed_rows = {
+        is_met = dict(zip(AFM_ROWS, np.abs(mean_errors) < MET_ERROR, strict=True))
+        met_rows = [
             row
-            for row, error in zip(AFM_ROWS, mean_errors, strict=True)
-            if row not in targets.met_rows or abs(error) >= MET_ERROR
-        }
-        met_rows = [row for row in met_rows if row not in missed_rows]
+            for row in substitute.calibrated_rows
+            if row not in AFM_ROWS or (row in targets.published_rows and is_met[row])
+        ]
     return xr.Dataset(
         {
             "amplitude_gain": ("wavevector", amplitude_gain, DIMENSIONLESS),
