@@ -1,9 +1,14 @@
 """The contact pixels of rigid and plastic (bearing area) contact: the N smallest reference gaps.
 
-A reference gap is the gap if the apex of the sphere is at the height 0 (`geometry`). To find the
-N smallest gaps without reading all pixels, the map is cut into square cells. The highest point of a
-cell, or of a group of cells, gives a lower bound on its gaps. The N-th smallest gap in a few cells
-is an upper limit of the gaps in contact. Only cells with a bound up to the limit are read.
+A reference gap is the gap if the apex of the sphere is at the height 0 (`geometry`). The N smallest
+gaps are found without reading all pixels:
+
+1. The map is cut into square cells. No gap in a cell is smaller than its bound: the lowest height
+   of the sphere above the cell, less the highest point of the cell. Groups of cells have bounds.
+2. A few cells of the lowest bounds are read. The N-th smallest of their gaps is a limit: no gap in
+   contact is larger, because N gaps up to it are known.
+3. All other cells with a bound up to the limit are read, and no others. Their N smallest gaps are
+   those of the contact.
 """
 
 from dataclasses import dataclass
@@ -17,7 +22,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.contact.geometry import Bodies
 from hardcontact.surfaces.height_map import HeightMap
 
-#: Pixels per row of a cell. This number and the next four only change the speed.
+#: Pixels per row of a cell. This number and the next four change only the speed.
 CELL_PIXELS = 32
 #: Cells per row of a group.
 GROUP_CELLS = 16

@@ -181,8 +181,14 @@ def half_width_over_masters(
 ) -> Floats:
     """Return the half width (...) of the interval of the logarithm of a statistic over masters.
 
-    The statistic (realization, ...) is a function of the filtered and unfiltered mean forces.
-    `shift_name` names its shifts, a variable of `forces_on_masters.add_spectrum_shifts`.
+    The statistic (realization, ...) is a function of the filtered and unfiltered mean forces, such
+    as their ratio. Up to three independent variances of the logarithm add:
+
+    1. other scans: the jackknife over parts of the scans;
+    2. other random numbers on the same scans: the scatter over realizations. Only quarters miss
+       it; among scans the jackknife contains it, because each scan has its own random numbers;
+    3. another spectrum within its uncertainty: the shifts on masters of sampled spectra, of the
+       variable `shift_name` (`forces_on_masters.add_spectrum_shifts`), if there are any.
     """
     forces, scan_parts = master_forces
 
@@ -200,7 +206,6 @@ def half_width_over_masters(
     variances = [jackknife_variance(delete_one_log_means, scan_parts)]
     count = forces.sizes["realization"]
     if scan_parts.are_quarters and count > 1:
-        # The jackknife over quarters misses how realizations differ.
         logarithms = np.log(contact_statistic(xr.DataArray(True)).values)
         variances.append(Variance(logarithms.var(axis=0, ddof=1) / count, count - 1))
     shifts = forces.get(shift_name)

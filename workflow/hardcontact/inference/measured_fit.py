@@ -65,9 +65,10 @@ def summarize_forces(forces: pd.DataFrame) -> ForceSummary:
 def look_repeated(forces: pd.DataFrame) -> bool:
     """Return whether forces on one surface without sites look as if several share a site.
 
-    Then at most half of the values are distinct, or von Neumann's ratio at some lag of rows is far
-    below 1, its mean for independent forces: half the mean squared difference of ln F, over the
-    variance of ln F.
+    They do if at most half of the values are distinct, or if rows near each other resemble each
+    other. This is tested by von Neumann's ratio at each lag of rows: half the mean squared
+    difference of ln F between rows at this lag, divided by the variance of ln F. For independent
+    forces it is about 1; if forces repeat or drift, it is far below 1 at some lag.
     """
     logs = np.log(forces["mean"].to_numpy(float))
     if (forces["site"] != "").any() or len(logs) < 3:
@@ -86,8 +87,9 @@ def sample_measured_mean(
 ) -> np.ndarray:
     """Return the mean force in N, then samples of the true mean (1 + sample,).
 
-    Samples deviate as the mean of ln F plus half the variance of ln F, for a log-normal F
-    (Krishnamoorthy and Mathew, J. Stat. Plan. Inference 115 (2003) 103), and are NaN for one site.
+    The mean of a log-normal F is exp(m + s²/2), with the mean m and the variance s² of ln F. Both
+    are sampled: s² from a chi-squared distribution, m from a normal one of the sampled variance
+    (Krishnamoorthy and Mathew, J. Stat. Plan. Inference 115 (2003) 103). NaN for a single site.
     """
     if summary.site_count < 2:
         return np.append(summary.mean, np.full(sample_count, np.nan))

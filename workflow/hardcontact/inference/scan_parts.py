@@ -1,10 +1,19 @@
 """Parts of scans: the jackknife over the parts gives the interval of a mean force.
 
-If a surface has three scans or more, the parts are the scans. Otherwise they are the quarters of
-each scan, by which the contacts are grouped. Quarters are correlated, because the same summits
-attract contacts of several quarters, and the variance is corrected for this. If contacts touch
+How much would a mean force change on other scans of the surface? The jackknife leaves out one part
+of the scans after the other and looks how much the mean force changes. With the logarithms L_i of
+the mean over all n parts but the i-th, and their mean M, the variance of the logarithm is
+
+    (n - 1)/n x sum over i of (L_i - M)^2.
+
+If a surface has three scans or more, the parts are the scans, which are independent. Otherwise they
+are the quarters of each scan: four parts for one scan, eight for two. A contact belongs to the
+quarter above which it lies. Quarters are correlated, because the same summits attract contacts of
+several quarters, so the variance is corrected (`ScanParts.variance_correction`). If contacts touch
 fewer patches (`contact.patches`) than there are quarters, some quarters share a patch, and there is
-no interval. A map, along the dimension ``map``, is a mirrored scan, a master or a whole surface.
+no interval.
+
+A map, along the dimension ``map``, is a mirrored scan, a master or a whole surface.
 """
 
 from collections.abc import Callable, Sequence
@@ -85,11 +94,13 @@ class ScanParts:
 
     @property
     def variance_correction(self) -> tuple[float, float]:
-        """Factor on the variance of the delete-one jackknife, and its degrees of freedom.
+        """The factor that corrects the jackknife variance, and its degrees of freedom.
 
-        A mean correlation c of n parts multiplies the jackknife variance by 1 - c, and the
-        variance of the mean by 1 + (n - 1) c. The degrees of freedom are
-        Satterthwaite's for the correlation matrix minus its column means. NaN without an interval.
+        If n parts have the mean correlation c, they scatter less about their mean: the jackknife
+        gives 1 - c times the variance of independent parts. But the variance of their mean is
+        1 + (n - 1) c times as large. So the factor is (1 + (n - 1) c)/(1 - c), 1 for c = 0. The
+        degrees of freedom are Satterthwaite's for the correlation matrix minus its column means,
+        n - 1 for c = 0. Both are NaN if there is no interval.
         """
         if self.interval_source not in (IntervalSource.SCANS, IntervalSource.QUARTERS):
             return np.nan, np.nan
@@ -187,7 +198,10 @@ def delete_one_logarithms(
 
 
 def jackknife_variance(logarithms: Floats, scan_parts: ScanParts) -> Variance:
-    """Return the corrected jackknife variance of a statistic from its `delete_one_logarithms`."""
+    """Return the corrected jackknife variance of the logarithm of a statistic.
+
+    `logarithms` (part, ...) come from `delete_one_logarithms`.
+    """
     factor, degrees_of_freedom = scan_parts.variance_correction
     return Variance((len(logarithms) - 1) * logarithms.var(axis=0) * factor, degrees_of_freedom)
 

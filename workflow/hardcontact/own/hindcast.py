@@ -1,8 +1,9 @@
 """Hindcasts test whether forces on a scan may be extrapolated to roughness that it does not show.
 
-A hindcast replaces the outermost octave that a scan shows by artificial roughness: random waves
-with the spectrum of the surface. If the force changes, random waves cannot extrapolate the scan. On
-a Gaussian surface the force changes little.
+A hindcast predicts what is known already. It replaces the outermost octave that a scan shows by
+artificial roughness: random waves with the spectrum of the surface. If the force changes, random
+waves cannot stand for the waves of this surface, so they cannot extrapolate the scan either. On a
+Gaussian surface the force changes little.
 """
 
 from collections.abc import Mapping, Sequence
@@ -101,7 +102,11 @@ def hindcast_forces(
 def _split_at_octave(
     mirrored: HeightMap, side: str, octave: Octave
 ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """Return the heights without an octave and the waves beyond it, and those of the octave."""
+    """Return the heights of the waves kept on a side, and those of the octave.
+
+    Waves beyond the octave are removed: shorter ones on the short side, longer ones on the long
+    side. So the scan is treated as if it ended at the octave.
+    """
     series = filtered_series(mirrored, "short", list(octave), mirrored.pixels)
     octave_and_longer, longer = (waves.heights for waves in series)
     kept_heights = longer if side == "short" else mirrored.heights - octave_and_longer
