@@ -84,9 +84,9 @@ def test_the_interval_contains_the_edge_of_a_curve_that_is_not_straight(spread):
     rng = np.random.default_rng(5)
     for _ in range(50):
         true_edge = 10 ** rng.uniform(1.3, 3.4)
-        power = rng.uniform(0.5, 6)
+        exponent = rng.uniform(0.5, 6)
         cutoffs = 10.0 ** np.arange(1, 4.5, 0.6)
-        ratio = 1 + 0.1 * (cutoffs / true_edge) ** power
+        ratio = 1 + 0.1 * (cutoffs / true_edge) ** exponent
         _, (low, high) = edge_of_ratios(
             "short", cutoffs, ratio, ratio * np.exp(-spread), ratio * np.exp(spread)
         )

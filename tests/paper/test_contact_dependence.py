@@ -57,10 +57,10 @@ def test_exponents_of_a_known_power_law_are_recovered(exponents):
 
 def test_the_exponent_of_a_force_against_the_radius_is_recovered():
     radius = xr.DataArray(RADII, {"radius": RADII}, "radius")
-    power = xr.DataArray([0.3, 0.4, 0.5], {"realization": [1, 2, 3]}, "realization")
+    exponents = xr.DataArray([0.3, 0.4, 0.5], {"realization": [1, 2, 3]}, "realization")
     contact_factor = xr.DataArray([[1.0, 3.0]], dims=("contact_y", "contact_x"))
     axes = {"side": ["short", "long"], "surface": ["a"], "contact_area": AREAS}
-    forces = (1e-6 * contact_factor * (radius / 1e5) ** power).expand_dims(axes)
+    forces = (1e-6 * contact_factor * (radius / 1e5) ** exponents).expand_dims(axes)
     # Only these forces count.
     counts = (forces["side"] == "long") & (forces["contact_area"] == 400)
     masters = xr.Dataset({"unfiltered_pull_off_force": forces.where(counts, 1.0)})

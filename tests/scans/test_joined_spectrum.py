@@ -128,12 +128,14 @@ def test_a_joined_spectrum_keeps_the_variance_of_its_bins(kind):
         scan = patterned_map(kind, seed)
         joined_data = joined_spectrum([scan], [1e-3])
         is_reliable = joined_data["reliable"].values[0] == 1
-        power = BIN_CENTRES[is_reliable] ** 2 * joined_data["psd"].values[0, is_reliable]
-        joined_power = BIN_CENTRES[is_reliable] ** 2 * joined_data["joined_psd"].values[is_reliable]
-        assert joined_power.sum() == pytest.approx(power.sum(), rel=1e-12)
+        variance_per_log = BIN_CENTRES[is_reliable] ** 2 * joined_data["psd"].values[0, is_reliable]
+        joined_variance_per_log = (
+            BIN_CENTRES[is_reliable] ** 2 * joined_data["joined_psd"].values[is_reliable]
+        )
+        assert joined_variance_per_log.sum() == pytest.approx(variance_per_log.sum(), rel=1e-12)
         if "grating" in kind:  # The peak of a grating stays in its bin.
-            peak = power.argmax()
-            assert joined_power[peak] == pytest.approx(power[peak], rel=0.05)
+            peak = variance_per_log.argmax()
+            assert joined_variance_per_log[peak] == pytest.approx(variance_per_log[peak], rel=0.05)
 
 
 def test_sampled_curves_scatter_with_the_stated_variance():

@@ -80,13 +80,13 @@ def test_short_edge_master_adds_the_spectrum_below_and_a_plateau_above(mirrored)
     flat = HeightMap(np.zeros_like(mirrored.heights), 20.0, periodic=True)
     masters = [short_edge_master(generator(9, k), flat, 512, 100.0, UNCD) for k in range(8)]
     powers = [np.abs(np.fft.fft2(master.heights)) ** 2 for master in masters]
-    power = np.mean(powers, axis=0) * (5 / 512) ** 2
+    density = np.mean(powers, axis=0) * (5 / 512) ** 2
     wavevector = wavevectors(512, 5.0)
     transition_q = 2 * np.pi / 100.0
     is_long = (wavevector < transition_q) & (wavevector > 0)
     is_short = (wavevector > transition_q) & (wavevector < 0.5)
-    assert power[is_long].mean() == pytest.approx(uncd_density(transition_q), rel=0.02)
-    assert (power[is_short] / uncd_density(wavevector[is_short])).mean() == pytest.approx(
+    assert density[is_long].mean() == pytest.approx(uncd_density(transition_q), rel=0.02)
+    assert (density[is_short] / uncd_density(wavevector[is_short])).mean() == pytest.approx(
         1, abs=0.05
     )
 
@@ -104,7 +104,9 @@ def test_long_edge_master_adds_the_spectrum_above_the_transition(mirrored):
     masters = [long_edge_master(generator(3, k), flat, 2, 500.0, UNCD) for k in range(12)]
     pixels, wavevector = masters[0].pixels, wavevectors(masters[0].pixels, 20.0)
     powers = [np.abs(np.fft.fft2(master.heights)) ** 2 for master in masters]
-    power = np.mean(powers, axis=0) * (20.0 / pixels) ** 2
+    density = np.mean(powers, axis=0) * (20.0 / pixels) ** 2
     is_long = (wavevector < 2 * np.pi / 500) & (wavevector > 0)
-    assert (power[is_long] / uncd_density(wavevector[is_long])).mean() == pytest.approx(1, abs=1e-4)
-    assert power[wavevector > 2 * np.pi / 499].max() < 1e-6 * power[is_long].mean()
+    assert (density[is_long] / uncd_density(wavevector[is_long])).mean() == pytest.approx(
+        1, abs=1e-4
+    )
+    assert density[wavevector > 2 * np.pi / 499].max() < 1e-6 * density[is_long].mean()

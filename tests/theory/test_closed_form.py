@@ -80,14 +80,14 @@ def test_a_single_smooth_summit_attracts_like_a_sphere_of_its_radius():
     assert form.dmt_ratio == pytest.approx(summit_radius / large_radius, rel=0.1)
 
 
-def mean_power(touching_count, power):
-    """Return the mean of G_n^power (theory.md, "What do the summits add up to?").
+def mean_power(touching_count, exponent):
+    """Return the mean of G_n^exponent (theory.md, "What do the summits add up to?").
 
     The highest summit touches, and a Poisson number of others.
     """
     n = 1 + np.arange(200)
     probability = stats.poisson.pmf(n - 1, touching_count - 1)
-    return probability @ np.exp(special.gammaln(n + power) - special.gammaln(n))
+    return probability @ np.exp(special.gammaln(n + exponent) - special.gammaln(n))
 
 
 @pytest.mark.parametrize("filling_count", [3.0, 30.0])
@@ -108,9 +108,9 @@ def test_plastic_forces_grow_like_the_mean_power_of_g_n(filling_count):
     plastic = closed_form(spectrum, plastic_contact)
     rigid = closed_form(spectrum, rigid_contact)
     area_force = smooth_force(plastic_contact) - smooth_force(rigid_contact)
-    power = 2 / (plastic.weibull_modulus + rigid.weibull_modulus)  # 1/k
+    exponent = 2 / (plastic.weibull_modulus + rigid.weibull_modulus)  # 1/k
     touching_count = apex.mean(np.interp(apex.levels, LEVELS, counts))
-    expected_ratio = mean_power(touching_count, power) / mean_power(1, power)
+    expected_ratio = mean_power(touching_count, exponent) / mean_power(1, exponent)
     assert (plastic.force - area_force) / rigid.force == pytest.approx(expected_ratio, rel=0.01)
 
 

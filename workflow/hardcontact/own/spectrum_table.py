@@ -101,8 +101,8 @@ def _wavevector_and_density(row: Row, wave_column: str, density_column: str) -> 
     unit_length = _length_in_nm(row, wave_column)
     is_wavelength = wave_column == "wavelength"
     wavevector = 2 * math.pi / (wave * unit_length) if is_wavelength else wave / unit_length
-    power = 4 if is_isotropic else 3
-    return wavevector, density * _length_in_nm(row, density_column) ** power
+    exponent = 4 if is_isotropic else 3
+    return wavevector, density * _length_in_nm(row, density_column) ** exponent
 
 
 def _length_in_nm(row: Row, name: str) -> float:

@@ -177,9 +177,9 @@ def extrapolate_short_waves(
 def _find_tail_end(density: Floats) -> tuple[int, TailEnd]:
     """Return the last index of WAVEVECTORS within all bounds, and the bound exceeded first."""
 
-    def rms(power: int, divisor: int) -> Floats:
-        """Return the root of ∫ q^power C_iso d ln q / (2 pi divisor), up to each wavevector."""
-        square = density * WAVEVECTORS**power / divisor / (2 * np.pi)
+    def rms(exponent: int, divisor: int) -> Floats:
+        """Return the root of ∫ q^exponent C_iso d ln q / (2 pi divisor), up to each wavevector."""
+        square = density * WAVEVECTORS**exponent / divisor / (2 * np.pi)
         return np.sqrt(scipy.integrate.cumulative_trapezoid(square, LOG_WAVEVECTORS, initial=0))
 
     exceeded = {
@@ -252,9 +252,11 @@ class RolloffEvidence:
 
     def _log_likelihood(self, density: Floats) -> float:
         """Return the logarithm of the likelihood of the measured variance, up to a constant."""
-        power = density * WAVEVECTORS**2 * self._share_after_levelling / (2 * np.pi)
-        expected_variance = np.trapezoid(power, LOG_WAVEVECTORS) + self._noise_variance(density)
-        variance_of_variance = np.trapezoid(power**2 / self._mode_count, LOG_WAVEVECTORS)
+        variance_per_log = density * WAVEVECTORS**2 * self._share_after_levelling / (2 * np.pi)
+        expected_variance = np.trapezoid(variance_per_log, LOG_WAVEVECTORS) + self._noise_variance(
+            density
+        )
+        variance_of_variance = np.trapezoid(variance_per_log**2 / self._mode_count, LOG_WAVEVECTORS)
         # The powers of N modes add up to a gamma variable of relative variance 1/N.
         shape = expected_variance**2 / variance_of_variance * self._scan_count
         scale = expected_variance / shape
@@ -266,5 +268,5 @@ class RolloffEvidence:
     def _noise_variance(self, density: Floats) -> float:
         """Return the variance of heights (nm²) from noise, the excess of unreliable short waves."""
         excess = self._measured_density - np.interp(BIN_CENTRES, WAVEVECTORS, density)
-        power = (np.maximum(excess, 0) * BIN_CENTRES**2)[self._is_unreliable]
-        return float(power.sum() * BIN_WIDTH / (2 * np.pi))
+        excess_per_log = (np.maximum(excess, 0) * BIN_CENTRES**2)[self._is_unreliable]
+        return float(excess_per_log.sum() * BIN_WIDTH / (2 * np.pi))

@@ -61,7 +61,7 @@ class _MeanBins(NamedTuple):
 
     density: Floats  #: (bins,) C_iso in nm⁴ from the mean of ln C, without its bias.
     variance: Floats  #: (bins,) variance of ln C, from the number of modes alone.
-    power: Floats  #: (bins,) mean C_iso in nm⁴.
+    arithmetic_mean: Floats  #: (bins,) C_iso in nm⁴, the mean of C itself.
     is_peak: NDArray[np.bool_]  #: (bins,) True where a grating, for example, adds power.
 
 
@@ -81,21 +81,22 @@ def _mean_bins(reliable: NDArray[np.bool_], density: Floats, modes: Floats) -> _
     with np.errstate(divide="ignore", invalid="ignore"):
         weight = weight / weight.sum(axis=0)
     variance = (weight**2 * mode_variance).sum(axis=0)
-    power = (weight * np.where(reliable, density, 0.0)).sum(axis=0)
+    arithmetic_mean = (weight * np.where(reliable, density, 0.0)).sum(axis=0)
     mean_density = np.exp((weight * logs).sum(axis=0))
-    return _MeanBins(mean_density, variance, power, _find_peaks(mean_density, variance, power))
+    is_peak = _find_peaks(mean_density, variance, arithmetic_mean)
+    return _MeanBins(mean_density, variance, arithmetic_mean, is_peak)
 
 
-def _find_peaks(density: Floats, variance: Floats, power: Floats) -> NDArray[np.bool_]:
+def _find_peaks(density: Floats, variance: Floats, arithmetic_mean: Floats) -> NDArray[np.bool_]:
     """Return the mask (bins,) of peaks: more power than a smooth spectrum has by chance."""
     inner = np.flatnonzero(np.isfinite(density))[1:-1]  # An end bin cannot be a peak.
     modes = 1 / variance[inner] + 0.5  # inverts the variance, trigamma(n) ≈ 1/(n - 0.5)
-    is_peak = np.zeros(len(power), bool)
+    is_peak = np.zeros(len(density), bool)
     while True:
         curve = smooth_curve(np.where(is_peak, np.nan, density), variance)
-        smooth_power = Spectrum(curve.wavevector, curve.density)(BIN_CENTRES[inner])
+        smooth_density = Spectrum(curve.wavevector, curve.density)(BIN_CENTRES[inner])
         # The power of n modes over its mean is a gamma variable.
-        chance = scipy.special.gammaincc(modes, modes * power[inner] / smooth_power)
+        chance = scipy.special.gammaincc(modes, modes * arithmetic_mean[inner] / smooth_density)
         new_peaks = inner[(chance < PEAK_PROBABILITY) & ~is_peak[inner]]
         if not len(new_peaks):
             return is_peak
@@ -132,20 +133,20 @@ def _smooth_between_peaks(mean_bins: _MeanBins, rng: np.random.Generator | None 
     is_peak = mean_bins.is_peak
     curve = smooth_curve(np.where(is_peak, np.nan, mean_bins.density), mean_bins.variance, rng)
     is_in_curve = np.isin(BIN_CENTRES, curve.wavevector)
-    density = np.where(is_peak[is_in_curve], mean_bins.power[is_in_curve], curve.density)
+    density = np.where(is_peak[is_in_curve], mean_bins.arithmetic_mean[is_in_curve], curve.density)
     return curve._replace(density=density)
 
 
-def _match_height_variance(curve: _Curve, power: Floats) -> _Curve:
-    """Return a curve changed so that its variance of heights is that of the mean C_iso `power`.
+def _match_height_variance(curve: _Curve, arithmetic_mean: Floats) -> _Curve:
+    """Return a curve whose variance of heights is that of the `arithmetic_mean` of C_iso.
 
     Each ln C changes in proportion to its variance and to its share in the variance of heights. To
-    first order, this curve is the most likely one. Gaps, in which `power` is NaN, do not count.
+    first order, this curve is the most likely one. Gaps, where the mean is NaN, do not count.
     """
     wavevector, density, variance = curve
-    power = power[np.isin(BIN_CENTRES, wavevector)]
-    total = np.nansum(power * wavevector**2)
-    share = np.where(np.isfinite(power), density * wavevector**2 / total, 0.0)
+    mean_in_curve = arithmetic_mean[np.isin(BIN_CENTRES, wavevector)]
+    total = np.nansum(mean_in_curve * wavevector**2)
+    share = np.where(np.isfinite(mean_in_curve), density * wavevector**2 / total, 0.0)
     direction = (variance - CALIBRATION_SCATTER**2) * share
 
     def relative_excess(multiplier: float) -> float:
@@ -202,7 +203,7 @@ def joined_spectrum(scans: Sequence[HeightMap], tip_radii: Sequence[float | None
     measured = _measured_spectra(scans, tip_radii)
     reliable = _reliable_mask(measured.densities, measured.bands)
     mean_bins = _mean_bins(reliable, measured.densities, measured.modes)
-    curve = _match_height_variance(_smooth_between_peaks(mean_bins), mean_bins.power)
+    curve = _match_height_variance(_smooth_between_peaks(mean_bins), mean_bins.arithmetic_mean)
     curve_density = Spectrum(curve.wavevector, curve.density)(BIN_CENTRES)
     joined_density = np.where(reliable.any(axis=0), curve_density, np.nan)
     fit = _fit_hurst_without_peaks(mean_bins)
