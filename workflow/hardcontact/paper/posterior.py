@@ -1,8 +1,15 @@
 """Posterior of range and work of adhesion: the probability of pairs, given published mean forces.
 
-A replicate has one possible mean force on each surface: from a set of scans, or drawn from the
-distribution of the means on whole surfaces. The prior is equal for all replicates, and uniform in
-the logarithms of range and work.
+A pair is a range rho and a work W. The mean force on a surface s would be W f_s(rho), with the mean
+force f_s computed at 1 J/m². The published mean F_s scatters about it, because it is a mean of few
+forces. Its logarithm has the standard deviation e_s. The probability of a pair is proportional to
+
+    exp(-1/2 sum over s of (ln F_s - ln W - ln f_s(rho))²/e_s²).
+
+The computed means f_s are uncertain, too, because few scans stand for a surface. So they come from
+many replicates. A replicate has one possible mean force on each surface: from a set of scans, or
+drawn from the distribution of the means on whole surfaces. All replicates, all ln W and all ln rho
+between the computed ends are equally probable before the forces are known.
 """
 
 import numpy as np
@@ -38,15 +45,17 @@ def sample_range_and_work(
 ) -> tuple[NDArray[np.int_], Floats]:
     """Return samples of the index of the range, and of the logarithm of the work of adhesion.
 
-    `log_curves` are logarithms of computed forces (replicate, surface, range) at 1 J/m², `errors`
-    standard deviations of `log_targets` (surface,). Ranges are evenly spaced in their logarithm.
+    `log_curves` are ln f (replicate, surface, range), `log_targets` ln F (surface,), and `errors`
+    their standard deviations. Ranges are evenly spaced in their logarithm. At each replicate and
+    range the probability is a Gaussian of ln W. So a replicate and a range are drawn by its
+    integral over ln W, and then ln W from this Gaussian.
     """
     precision = 1 / errors**2
     log_works = log_targets[:, None] - log_curves
     best_log_works = np.average(log_works, axis=1, weights=precision)
     residuals = log_works - best_log_works[:, None]
     misfit = (residuals**2 * precision[:, None]).sum(axis=1)
-    # The probability of a replicate and range, integrated over the work.
+    # The width of the Gaussian is the same everywhere, so its integral is known but for a factor.
     weights = np.exp((misfit.min() - misfit) / 2).ravel()
     flat_index = rng.choice(weights.size, count, p=weights / weights.sum())
     work_deviation = 1 / np.sqrt(precision.sum())

@@ -2,6 +2,10 @@
 
 A master is a mirrored scan with artificial roughness: random waves in place of those beyond a
 wavelength, the transition. Random surfaces and masters are periodic, scans are not.
+
+A random surface begins as white noise, an independent height at each pixel. Its Fourier transform
+is multiplied by the square root of the spectrum, and transformed back. So one array of noise gives
+similar surfaces for similar spectra.
 """
 
 from collections.abc import Mapping
@@ -36,7 +40,10 @@ def white_noise_transform(rng: np.random.Generator, pixels: int) -> Transform:
 
 
 def _set_psd(transform: Transform, pixel_size: float, spectrum: SpectrumFunction) -> None:
-    """Scale the transform of white noise, in place, to that of a surface with a spectrum."""
+    """Multiply the transform of white noise, in place, to that of a surface with a spectrum.
+
+    The surface has the mean height zero.
+    """
     pixels = len(transform)
     row_count = pixels // 2 + 1  # Other rows have the opposite wavevector along y.
     q = 2 * np.pi * np.fft.rfftfreq(pixels, pixel_size)
@@ -96,8 +103,9 @@ def short_edge_master(
 ) -> HeightMap:
     """Return a mirrored scan with artificial roughness below the transition (nm).
 
-    C_iso of that roughness is constant above the transition. This adds some long waves, as in the
-    paper, section Determining the Most Relevant Length-scales of Roughness.
+    The scan keeps its waves longer than the transition. The artificial roughness is not cut off
+    there: at longer waves its C_iso is constant. This adds some long waves, as in the paper,
+    section Determining the Most Relevant Length-scales of Roughness.
     """
     long_waves = lowpass(mirrored, transition)
     transition_q = 2 * np.pi / transition
@@ -115,7 +123,10 @@ def long_edge_master(
     transition: float,
     spectrum: SpectrumFunction,
 ) -> HeightMap:
-    """Return (tiles, tiles) mirrored scans with artificial roughness above the transition (nm)."""
+    """Return (tiles, tiles) mirrored scans with artificial roughness above the transition (nm).
+
+    Waves shorter than the transition are those of the scans, all others are artificial.
+    """
     repeated = replace(mirrored, heights=np.tile(mirrored.heights, (tiles, tiles)))
     long_waves = lowpass(repeated, transition)
     # The margin keeps waves exactly at the transition artificial in spite of rounding.
