@@ -20,7 +20,7 @@ rule synthesize_masters:
     output:
         **{side: STORE.masters.replace("{side}", side) for side in SIDES},
     resources:
-        # A long-edge master has at most the pixels of the surfaces in contact, which `band` gives.
+        # The settings of `band` give the pixels of surfaces in contact. Masters have no more.
         mem_mb=largest_master_megabytes(SETTINGS["band"]),
     params:
         parameters=lambda w: dict(
@@ -32,8 +32,8 @@ rule synthesize_masters:
         "../scripts/synthesize_masters.py"
 
 
-# The band, its sampled spectra and the sets, three of `PURPOSES` in files/settings.py, have masters of
-# their own. The other purposes, `exponents` and `edge_shifts`, share the first masters of the sets.
+# `w.purpose` is one of `PURPOSES` in files/settings.py, of which ../README.md has a table. The masters of
+# `band` are inputs. For other purposes scans and spectra are inputs, from which the job makes the masters.
 rule compute_filtered_forces:
     """Compute the forces on masters of a purpose, unfiltered and without waves beyond each cutoff."""
     input:

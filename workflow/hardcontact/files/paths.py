@@ -71,8 +71,8 @@ class StorePatterns:
             f"{folder['featured_candidates']}/{contact}/{{features}}/{{first}}-{{last}}.nc"
         )
 
-        # Masters, and the forces on them at lists of radii, loadings and ranges. The purpose names
-        # what the forces are for: band, sets or exponents.
+        # Masters, and the forces on them at lists of radii, loadings and ranges. The purpose, one
+        # of `PURPOSES`, names what the forces are for.
         self.masters = f"{folder['masters']}/{_REALIZATION}/{{side}}.nc"
         sweep = f"{{settings_digest}}/{{radii}}/{{loadings}}/{{ranges}}/{_SURFACE}"
         chunk = f"{rough_sphere}/realizations-{{first}}-{{last}}.nc"

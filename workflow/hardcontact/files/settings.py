@@ -1,8 +1,10 @@
 """The settings of each kind of intermediate: all that its rule takes from the configuration.
 
 A path has a digest of these settings and of those of the kinds that the file is made from, so that
-a changed setting makes new files. Masters are scans with artificial roughness; the forces on them
-have a kind for each of `PURPOSES`.
+a changed setting makes new files.
+
+Forces on masters are needed for several purposes, with other masters and other contacts for each.
+`PURPOSES` lists the purposes; `workflow/README.md` has them as a table.
 """
 
 import math
@@ -21,7 +23,7 @@ from hardcontact.config.limits import MAX_MAP_PIXELS
 from hardcontact.config.study_plan import StudyPlan
 from hardcontact.contact.numerical_limits import SHORT_ADHESION_RANGE, SHORTEST_WHOLE_RANGE
 from hardcontact.records.origin import short_value_digest
-from hardcontact.surfaces.synthesis import SIDES
+from hardcontact.surfaces.synthesis import BAND_STREAM, SET_STREAM, SIDES
 
 #: Masters, or whole surfaces, in one job: few enough to keep all cores busy, but so many that a job
 #: takes much longer than its start, half a second.
@@ -47,43 +49,57 @@ class Intermediate(NamedTuple):
 
 
 class Purpose(NamedTuple):
-    """The settings of masters of one purpose, with keys of the configuration."""
+    """Which masters one purpose needs, and which contacts are made on them.
 
-    masters_key: str  #: Key of the number of masters of a surface.
-    section: str = "sets"  #: Section of the pixels and cutoffs of masters.
-    contacts_key: str = "sets.contacts_per_row"
-    masters_per_job: int = MASTERS_PER_JOB
-    masters_are_files: bool = False  #: Whether masters are files of the store.
-    samples_spectra: bool = False  #: Whether each master has a sampled spectrum.
-    rough_sphere: bool = True  #: Whether `band.sphere_roughness` counts.
-    stream: str = "variant"  #: Name of the random numbers: several purposes may share them.
+    Keys are those of the configuration, so that one purpose serves all studies.
+    """
+
+    # Masters.
+    masters_key: str  #: Key of the number of masters of each surface.
+    #: Section of the pixels and cutoffs of masters; keys that it lacks are those of `band`.
+    section: str
+    stream: str  #: BAND_STREAM or SET_STREAM: which random numbers masters have.
     sides: Sequence[str] = SIDES
-    radii_key: str = "sphere.radius"  #: Key of the radius of the sphere, or of several radii.
-    preload_shares: Sequence[float] = (1,)  #: Loads, relative to the preload of the study.
-    plastic: Sequence[bool] = (True,)  #: Whether contact pixels yield.
+    #: Whether each master has another spectrum, sampled within the uncertainty of the scans.
+    samples_spectra: bool = False
+    #: Whether the rule synthesize_masters writes the masters into the store. Otherwise the job that
+    #: computes the forces makes the masters and forgets them.
+    masters_are_files: bool = False
+    masters_per_job: int = MASTERS_PER_JOB
+    # Contacts. Forces are computed for all combinations of radius, preload, model and range.
+    contacts_key: str = "sets.contacts_per_row"
+    #: Whether the sphere is rough if `band.sphere_roughness` says so; otherwise it is smooth.
+    rough_sphere: bool = True
+    radii_key: str = "sphere.radius"  #: Key of one radius of the sphere, or of several radii.
+    preload_shares: Sequence[float] = (1,)  #: Preloads, relative to the preload of the study.
+    plastic: Sequence[bool] = (True,)  #: True for the plastic, False for the rigid contact model.
     further_ranges: Sequence[float] = ()  #: Ranges of adhesion in nm, besides that of the study.
 
 
+# `band` and `sampled` have the same random numbers, so that their forces differ only because
+# spectra are sampled. `sets` has others, because sets are other random choices than the study.
+# `exponents` and `edge_shifts` have the numbers and pixels of `sets`, so the first of its masters.
 _BAND = Purpose(
-    "band.masters", "band", "contact.contacts_per_row", masters_per_job=1, stream="master"
+    "band.masters", "band", BAND_STREAM, masters_per_job=1, contacts_key="contact.contacts_per_row"
 )
 #: The purposes of masters, by the name in the paths of their forces.
 PURPOSES = {
-    # The band of the study, also with sampled spectra of measured surfaces.
+    # The edges of the study.
     "band": _BAND._replace(masters_are_files=True),
+    # How far the uncertain spectra of measured surfaces move these edges.
     "sampled": _BAND._replace(samples_spectra=True),
-    # The edges of each set of substitutes.
-    "sets": Purpose("sets.masters"),
-    # How the edges depend on radius and load, on a smooth sphere. At an eighth of the paper's
-    # preload the contact still has some 30 pixels on short-edge masters, and 3 on long-edge ones;
-    # larger loads move short edges beyond the cutoffs of sets.
+    # The edges of each set.
+    "sets": Purpose("sets.masters", "sets", SET_STREAM),
+    # How force and edges depend on radius and preload, on a smooth sphere. At an eighth of the
+    # paper's preload the contact still has some 30 pixels on short-edge masters, and 3 on long-edge
+    # ones. Larger preloads move short edges beyond the cutoffs of sets.
     "exponents": Purpose(
-        "exponents.masters", rough_sphere=False, radii_key="exponents.radii",
-        preload_shares=(1 / 8, 1),
+        "exponents.masters", "sets", SET_STREAM, rough_sphere=False,
+        radii_key="exponents.radii", preload_shares=(1 / 8, 1),
     ),
-    # The short edge with and without plasticity and a long range of adhesion.
+    # How far plasticity, and a long range of adhesion, move the short edge.
     "edge_shifts": Purpose(
-        "exponents.masters", sides=("short",), plastic=(True, False),
+        "exponents.masters", "sets", SET_STREAM, sides=("short",), plastic=(True, False),
         further_ranges=(SHORT_ADHESION_RANGE,),
     ),
 }  # fmt: skip
@@ -117,7 +133,8 @@ def _surface_kinds(plan: StudyPlan) -> dict[str, Intermediate]:
         "measured_spectra": Intermediate(levelling, ["measurements"]),
         # Spectra sampled within the uncertainty of the measurements.
         "sampled_spectra": Intermediate({**seed, **levelling}, ["measurements"]),
-        # Levelled scans, mirrored scans, and the conditioning of substitutes on Table 1.
+        # Levelled and mirrored scans, measured or substitutes. With substitutes comes their
+        # conditioning: how they meet Table 1. All have paths with the digest of `scans`.
         "measured_scans": Intermediate(levelling, ["measurements"]),
         "substitute_scans": Intermediate(_substitute_settings(study)),
         "scans": Intermediate({}, ["measured_scans", "substitute_scans"]),
@@ -177,9 +194,11 @@ def _random_surface_kinds(study: Mapping[str, Any]) -> dict[str, Intermediate]:
     return {
         # Forces on whole substitute surfaces, also with each octave changed.
         "whole_surfaces": Intermediate({**whole_surface, "ranges": whole_ranges}),
-        # Forces on the band alone: outside the store, because they depend on the edges found.
+        # Forces on the band alone. These files are not in the store, because they depend on the
+        # edges that the study found.
         "band_forces": Intermediate(whole_surface),
-        # Forces on scans for the sets, without and with features.
+        # Scans among which sets choose, and forces on them: without features, then with. The
+        # masters of the sets are no part of the pool: their forces are a purpose of `PURPOSES`.
         "pool": Intermediate({**set_scan, "rms_height_count": study["sets"]["rms_height_count"]}),
         "featured_candidates": Intermediate(set_scan),
     }
@@ -237,6 +256,9 @@ def _master_force_settings(study: Mapping[str, Any], purpose: Purpose) -> dict[s
 
 
 def largest_master_megabytes(settings: Mapping[str, Any]) -> int:
-    """Return the memory (MB) of a job on the masters of a purpose, by the largest grid."""
+    """Return the memory (MB) of a job on the masters of a purpose, from the side with most pixels.
+
+    `settings` are those of `_master_force_settings`.
+    """
     pixels: int = max(side["pixels"] for side in settings["sides"].values())
     return max(MINIMUM_MEGABYTES, BASE_MEGABYTES + math.ceil(BYTES_PER_PIXEL * pixels**2 / 1e6))

@@ -144,12 +144,15 @@ def long_edge_master(
 #: Old names of the sides. They seed the random numbers, so a new name would change all results.
 SEED_WORDS = {"short": "small", "long": "large"}
 SIDES = tuple(SEED_WORDS)
+#: Streams of random numbers, for masters of the study and of sets: two masters of the same scan and
+#: side have different random waves if their streams differ. Old words, which seed the numbers.
+BAND_STREAM, SET_STREAM = "master", "variant"
 
 
 def master_generator(
     seed: int, surface_name: str, realization: int, side: str, stream: str
 ) -> np.random.Generator:
-    """Return the random generator of a master; `stream` names the purpose of the master."""
+    """Return the random generator of a master; `stream` is BAND_STREAM or SET_STREAM."""
     return generator(seed, surface_name, realization, f"{SEED_WORDS[side]}-scale {stream}")
 
 
