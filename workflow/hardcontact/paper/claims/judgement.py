@@ -1,10 +1,26 @@
-"""Compare each claim, a row of resources/paper/claims.csv, with a computed estimate (`estimates`).
+"""Judge the claims: compare what the paper states with what the study computed.
 
-`dataset`, `quantity` and `select` name the estimate. Rule and limits turn it into a verdict.
+A claim is a row of resources/paper/claims.csv. It becomes a row of the claims.csv of a study in
+five steps. The claim `short_edge_first` is the example: the outermost short edge is 43 nm.
+
+1. Its columns name datasets and a quantity, here the dataset `edges` and `outermost_edge`. The
+   quantity is a variable of the dataset or, as here, a function of one of three modules, here of
+   `band_quantities`. All public functions of these modules are in DERIVED_QUANTITIES.
+2. `_estimate_quantity` calls the function with the datasets. It returns an estimate, which is
+   values with intervals, here of both sides of the band.
+3. `select_estimate` takes the value that the column `select` names, here by `side=short`: 37 nm.
+4. `_judge` adds what sets of scans show. Here the values of 100 sets give the interval, 34 to 45
+   nm. The column `rule`, here `factor 1.25`, and the published limits, 42.5 and 43.5 nm, give the
+   accepted range, 34.0 to 54.4 nm. Only 97 of the 100 values are in this range, not all, so the
+   verdict is undecided.
+5. `judge_claims` adds the basis, here substitute scans. Some claims have a fixed verdict, such as
+   "by construction", which replaces that of step 4.
 """
 
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from inspect import getmembers, isfunction
+from types import ModuleType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -22,6 +38,7 @@ from hardcontact.paper.claims.selection import (
     claim_basis,
     claim_surfaces,
     fixed_verdict,
+    only_label,
     parse_selection,
     select_estimate,
 )
@@ -34,12 +51,21 @@ from hardcontact.paper.claims.verdicts import (
 )
 from hardcontact.surfaces.metrics import TABLE1_VARIABLES
 
-#: Functions of datasets that the column `quantity` may name: all public ones of these modules.
-DERIVED_QUANTITIES: dict[str, Callable[..., xr.Dataset]] = {
-    name: function
-    for module in (band_quantities, contact_quantities, force_quantities)
-    for name, function in vars(module).items()
-    if getattr(function, "__module__", "") == module.__name__ and not name.startswith("_")
+
+def _public_functions(module: ModuleType) -> dict[str, Callable[..., xr.Dataset]]:
+    """Return the public functions that a module defines, by name, without those it imports."""
+    return {
+        name: function
+        for name, function in getmembers(module, isfunction)
+        if function.__module__ == module.__name__ and not name.startswith("_")
+    }
+
+
+#: Functions of datasets that the column `quantity` may name.
+DERIVED_QUANTITIES = {
+    **_public_functions(band_quantities),
+    **_public_functions(contact_quantities),
+    **_public_functions(force_quantities),
 }
 
 
@@ -69,7 +95,8 @@ def judge_claims(
     """
     topography = datasets["topography"]
     rows = []
-    for claim, result in _estimate_claims(claims, datasets, constants, confidence):
+    estimated_claims = _estimate_claims(claims, datasets, constants, confidence)
+    for row, (claim, result) in zip(claims.to_dict("records"), estimated_claims, strict=True):
         if result is None:
             continue
         with _prefix_errors(claim):
@@ -77,11 +104,10 @@ def judge_claims(
             verdict, reason = fixed_verdict(claim, surfaces, topography, constants)
             judgement = _judge(claim, result, sets, confidence)
         no_value = "No value exists." if np.isnan(judgement["computed"]) else ""
-        row = claim._asdict() | judgement
-        row["verdict"] = verdict or judgement["verdict"]
-        row["basis"] = claim_basis(claim, surfaces, topography)
-        row["note"] = " ".join(filter(None, (claim.note, reason, no_value)))
-        rows.append(row)
+        judgement["verdict"] = verdict or judgement["verdict"]
+        judgement["basis"] = claim_basis(claim, surfaces, topography)
+        judgement["note"] = " ".join(filter(None, (claim.note, reason, no_value)))
+        rows.append(row | judgement)
     return pd.DataFrame(rows, columns=list(JUDGED_COLUMNS))
 
 
@@ -99,16 +125,17 @@ def _estimate_claims(
     constants: pd.DataFrame,
     confidence: float,
 ) -> Iterator[tuple[Claim, _ClaimResult | None]]:
-    """Yield each claim and its estimate, None if the datasets lack a selected label."""
+    """Yield each claim and its result, None if the datasets lack a selected label."""
     all_datasets = {"paper": xr.Dataset(constants["value"].to_dict())}
     for name, dataset in datasets.items():
         all_datasets[name] = dataset.assign_attrs(confidence=confidence)
         # A dataset of a single surface names it in an attribute.
         if "surface" not in dataset.dims and "surface" in dataset.attrs:
             all_datasets[name] = all_datasets[name].expand_dims(surface=[dataset.attrs["surface"]])
+    # Many claims select from the same estimate.
     estimates: dict[tuple[str, str], xr.Dataset] = {}
-    claim: Claim
-    for claim in claims.itertuples(index=False):
+    for row in claims.to_dict("records"):
+        claim = Claim.from_row(row)
         with _prefix_errors(claim):
             claim_datasets = {name: all_datasets[name] for name in claim.dataset.split("+")}
             key = claim.dataset, claim.quantity
@@ -159,8 +186,8 @@ def _judge(
     else:
         verdict = accepted.verdict(value, low, high)
     open_end = ""
-    if claim.dataset == "edges" and claim.unit == "nm":  # an edge of the band, of one side
-        ((side,),) = result.labels["side"]
+    if claim.dataset == "edges" and claim.unit == "nm":  # an edge of the band
+        side = only_label(result.labels, "side")
         open_end = find_open_end(side, value, low, high, [result.datasets["edges"], sets])
     return {
         "computed": value,
@@ -178,8 +205,7 @@ def _claim_samples(claim: Claim, result: _ClaimResult, sets: xr.Dataset) -> Floa
     """Return the samples of a claim's value, from sets or from the posterior; empty if none."""
     if claim.samples_from == "posterior":
         posterior = next(iter(result.datasets.values()))
-        # Each dimension has one group of one label.
-        labels = {dimension: label for dimension, ((label,),) in result.labels.items()}
+        labels = {dim: only_label(result.labels, dim) for dim in result.labels}
         return np.asarray(posterior[f"sampled_{claim.quantity}"].sel(labels))
     if claim.samples_from != "sets":
         return np.empty(0)

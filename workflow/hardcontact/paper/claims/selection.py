@@ -1,9 +1,9 @@
 """The estimate (`estimates`) that a claim selects, and the surfaces on which it rests."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Hashable, Iterable, Mapping, Sequence
 from functools import reduce
 from itertools import chain, pairwise
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pandas as pd
@@ -28,9 +28,7 @@ LABELS: dict[str, Sequence[str]] = {
     "band_part": ("only the band", "no shorter waves", "no longer waves"),
     "rho": (), "preload": (), "minimum": (),
 }  # fmt: skip
-#: A row of resources/paper/claims.csv, with a column by attribute.
-Claim = Any
-#: Groups of labels by dimension; `a > b` makes two groups.
+#: Groups of labels by dimension; `a > b` makes two groups, each a list of labels.
 SelectedLabels = Mapping[str, list[list[Any]]]
 #: Words in the column `needs` for a claim that needs no scan; they are also its basis.
 WITHOUT_SCAN = ("no scan", "no scan; assumed asperities")
@@ -38,6 +36,31 @@ WITHOUT_SCAN = ("no scan", "no scan; assumed asperities")
 PIXEL_QUANTITIES = ("afm_rms_slope", "afm_rms_curvature", "slope_growth")
 #: Why PIXEL_QUANTITIES are not testable on larger pixels.
 LARGER_PIXELS = "It depends on the size of a pixel, which is larger than the paper's."
+
+
+class Claim(NamedTuple):
+    """The columns of a row of resources/paper/claims.csv that decide its estimate and verdict.
+
+    resources/paper/README.md explains the columns. Sets estimate claims without judging them, so
+    they need only the columns without defaults.
+    """
+
+    id: str
+    dataset: str
+    quantity: str
+    select: str
+    rule: str
+    unit: str = ""
+    needs: str = ""
+    samples_from: str = ""
+    published_low: float = np.nan
+    published_high: float = np.nan
+    note: str = ""
+
+    @classmethod
+    def from_row(cls, row: Mapping[Hashable, Any]) -> "Claim":
+        """Return the claim of a row, which has more columns or only those without defaults."""
+        return cls(**{name: row[name] for name in cls._fields if name in row})
 
 
 def split_selection(select: str) -> dict[str, list[list[str]]]:
@@ -54,6 +77,12 @@ def parse_selection(estimate: xr.Dataset, select: str) -> SelectedLabels | None:
     }
     lacks_label = any(None in group for groups in labels.values() for group in groups)
     return None if lacks_label else labels
+
+
+def only_label(labels: SelectedLabels, dim: str) -> Any:
+    """Return the label of a dimension of which a claim selects a single label."""
+    ((label,),) = labels[dim]  # one group of one label; otherwise a ValueError
+    return label
 
 
 def _matching_label(coordinate: np.ndarray, label: str) -> Any:
@@ -122,7 +151,7 @@ def claim_surfaces(
 def claim_basis(claim: Claim, surfaces: list[str], topography: xr.Dataset) -> str:
     """Return the basis of a claim: ``measured``, ``substitute scans`` or one of WITHOUT_SCAN."""
     if claim.needs in WITHOUT_SCAN:
-        return str(claim.needs)
+        return claim.needs
     sources = topography["source"].sel(surface=surfaces).values
     return "substitute scans" if "substitute" in sources else "measured"
 
