@@ -33,7 +33,7 @@ from hardcontact.surfaces.synthesis import random_surface
 
 RHO, MODULUS, WORK = 5.6, 289.7e9, 46.3e-3  # nm, Pa, J/m²: the paper's
 CONTACT = Contact(radius=250e3, preload=10e-6, hardness=25e9, window=12500.0, contacts_per_row=20)
-#: Contacts (y, x) whose direct sums are timed.
+#: Indices (i, j) of contacts whose direct sums are timed.
 TIMED_CONTACTS = [(0, 0), (7, 13), (19, 4)]
 
 
@@ -68,15 +68,13 @@ def force_sum_rows():
     bodies, count = bodies_in_contact(substrate)
 
     def direct_sums():
-        return [
-            direct_total(gap_of_bodies(bodies, contact), count, RHO) for contact in TIMED_CONTACTS
-        ]
+        return [direct_total(gap_of_bodies(bodies, index), count, RHO) for index in TIMED_CONTACTS]
 
     seconds, totals = timed(plastic_sums, substrate)
     direct_seconds, expected = timed(direct_sums, repeats=1)
     error = max(
-        abs(totals[contact] / total - 1)
-        for contact, total in zip(TIMED_CONTACTS, expected, strict=True)
+        abs(totals[index] / total - 1)
+        for index, total in zip(TIMED_CONTACTS, expected, strict=True)
     )
     slowdown = direct_seconds * CONTACT.contacts_per_row**2 / len(TIMED_CONTACTS) / seconds
     yield "400 plastic contacts on 8192² pixels", seconds, f"direct sum {slowdown:.3g}, {error:.1e}"

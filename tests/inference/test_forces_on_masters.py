@@ -68,12 +68,12 @@ def test_the_force_on_every_filtered_master_is_the_direct_sum(sphere, side, end)
         (surface,) = filtered_series(master, side, [cutoff], 160)
         bodies = join_bodies(surface, sphere, CONTACT)
         pixel_size = bodies.geometry.pixel_size
-        for contact in np.ndindex(3, 3):
-            gap = gap_of_bodies(bodies, contact)
+        for index in np.ndindex(3, 3):
+            gap = gap_of_bodies(bodies, index)
             for loaded in LOADED_CONTACTS:
                 count = loaded.pixel_count(pixel_size)
                 direct_sum = direct_force(gap, count, 5.6, pixel_size)
-                force = forces.sel(loading=loaded.loading_name).values[contact]
+                force = forces.sel(loading=loaded.loading_name).values[index]
                 # Sums on a smooth sphere are in single precision.
                 assert force == pytest.approx(direct_sum, rel=1e-6 if sphere is None else 1e-9)
 

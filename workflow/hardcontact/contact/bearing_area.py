@@ -153,31 +153,33 @@ class _Windows:
             bounds -= self.roughness_maxima.max()
         return np.asarray(bounds.reshape(contact_count, -1))
 
-    def cells_of_groups(self, contacts: NDArray[np.int_], groups: NDArray[np.int_]) -> WindowCells:
+    def cells_of_groups(
+        self, contact_numbers: NDArray[np.int_], groups: NDArray[np.int_]
+    ) -> WindowCells:
         """Return the cells of groups, given by the numbers (k,) of contact and group."""
         group_row, group_column = np.divmod(groups, self.sphere_minima.shape[-1] // GROUP_CELLS)
         row = (group_row[:, None] * GROUP_CELLS + np.arange(GROUP_CELLS))[:, :, None]
         column = (group_column[:, None] * GROUP_CELLS + np.arange(GROUP_CELLS))[:, None, :]
-        contact = contacts[:, None, None]
-        bounds = self.sphere_minima[contact, 0, row] + self.sphere_minima[contact, 1, column]
-        bounds -= self.substrate.maxima[self.index[contact, 0, row], self.index[contact, 1, column]]
+        number = contact_numbers[:, None, None]
+        bounds = self.sphere_minima[number, 0, row] + self.sphere_minima[number, 1, column]
+        bounds -= self.substrate.maxima[self.index[number, 0, row], self.index[number, 1, column]]
         if self.sphere_roughness is not None and self.roughness_maxima is not None:
             sphere_cells = self.offset % self.sphere_roughness.pixels // CELL_PIXELS
             bounds -= self.roughness_maxima[
-                sphere_cells[contact, 0, row], sphere_cells[contact, 1, column]
+                sphere_cells[number, 0, row], sphere_cells[number, 1, column]
             ]
-        contact, row, column = np.broadcast_arrays(contact, row, column)
-        return WindowCells(contact.ravel(), row.ravel(), column.ravel(), bounds.ravel())
+        number, row, column = np.broadcast_arrays(number, row, column)
+        return WindowCells(number.ravel(), row.ravel(), column.ravel(), bounds.ravel())
 
     def cell_gaps(self, cells: WindowCells) -> tuple[Floats, NDArray[np.int_], NDArray[np.int_]]:
         """Return the reference gaps (k, y, x) of cells (k,), infinite outside the window.
 
         Also returns the offsets of their rows (k, y) and columns (k, x) from the apex.
         """
-        contact, row, column, _ = cells
-        y = self.offset[contact, 0, row][:, None] + np.arange(CELL_PIXELS)
-        x = self.offset[contact, 1, column][:, None] + np.arange(CELL_PIXELS)
-        cell_y, cell_x = self.index[contact, 0, row], self.index[contact, 1, column]
+        number, row, column, _ = cells
+        y = self.offset[number, 0, row][:, None] + np.arange(CELL_PIXELS)
+        x = self.offset[number, 1, column][:, None] + np.arange(CELL_PIXELS)
+        cell_y, cell_x = self.index[number, 0, row], self.index[number, 1, column]
         gaps: Floats = self._sphere_in_window(y)[:, :, None] + self._sphere_in_window(x)[:, None, :]
         gaps -= self.substrate.heights[cell_y, :, cell_x, :]
         if self.sphere_roughness is not None:

@@ -58,17 +58,19 @@ class StorePatterns:
         surface_on_sphere = f"{{radius}}/{{loading}}/{_SURFACE}/{rough_sphere}.nc"
         self.elastic = f"{folder['elastic']}/{surface_on_sphere}"
         self.asperities = f"{folder['asperities']}/{surface_on_sphere}"
-        contact = f"{{radius}}/{{loading}}/{{rho}}/{_SURFACE}"
-        scan_on_sphere = f"{rough_sphere}/{contact}/scan-{{scan}}.nc"
+        contact_path = f"{{radius}}/{{loading}}/{{rho}}/{_SURFACE}"
+        scan_on_sphere = f"{rough_sphere}/{contact_path}/scan-{{scan}}.nc"
         self.pull_off = f"{folder['pull_off']}/{scan_on_sphere}"
         self.octave_forces = f"{folder['octave_forces']}/{scan_on_sphere}"
         self.hindcast = f"{folder['hindcast']}/{scan_on_sphere}"
 
         # Contacts on further random surfaces, several in each file.
-        self.pool = f"{folder['pool']}/{contact}/scans-{{first}}-{{last}}.nc"
-        self.whole_surfaces = f"{folder['whole_surfaces']}/{contact}/surfaces-{{first}}-{{last}}.nc"
+        self.pool = f"{folder['pool']}/{contact_path}/scans-{{first}}-{{last}}.nc"
+        self.whole_surfaces = (
+            f"{folder['whole_surfaces']}/{contact_path}/surfaces-{{first}}-{{last}}.nc"
+        )
         self.featured_candidates = (
-            f"{folder['featured_candidates']}/{contact}/{{features}}/{{first}}-{{last}}.nc"
+            f"{folder['featured_candidates']}/{contact_path}/{{features}}/{{first}}-{{last}}.nc"
         )
 
         # Masters, and the forces on them at lists of radii, loadings and ranges. The purpose, one

@@ -28,17 +28,17 @@ SHARES = np.linspace(0, 1, 101)  # steps of the distributions
 def draw(indent: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw Fig. 5: (a) a contact, (b, c) lines through its deepest point, (d-f) all contacts."""
     published = published_constants["value"]
-    contact = indent.sel(preload=published[PUBLISHED_PRELOAD], method="nearest")
+    indent_at_preload = indent.sel(preload=published[PUBLISHED_PRELOAD], method="nearest")
     figure, ((indents, *lines), sizes) = drawing.create_rows(
         5.3, indent, row_heights=(1.2, 1), panel_widths=((1.35, 1, 1), (1, 1, 1))
     )
-    _draw_map(indents, contact)
-    depths = contact["indentation"]
+    _draw_map(indents, indent_at_preload)
+    depths = indent_at_preload["indentation"]
     reach = min(2 * panels.mask_half_width(depths > 0), depths["x"].values.max())
     view = -reach, reach
     indents.set(xlim=view, ylim=view)
     for axes, letter, axis in zip(lines, "bc", LINE_COLOURS, strict=True):
-        _draw_line(axes, contact, axis)
+        _draw_line(axes, indent_at_preload, axis)
         axes.set_xlim(view)
         style.label_panel(axes, letter, f"sphere along {axis}")
     lines[0].set_ylabel("height (nm)")
@@ -53,9 +53,9 @@ def draw(indent: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     return figure
 
 
-def _draw_map(axes: Axes, contact: xr.Dataset) -> None:
+def _draw_map(axes: Axes, indent_at_preload: xr.Dataset) -> None:
     """Map the depth (nm) of one contact in the sphere, with the two lines of panels b and c."""
-    depths = contact["indentation"].transpose("y", "x")
+    depths = indent_at_preload["indentation"].transpose("y", "x")
     image = axes.pcolormesh(
         depths["x"], depths["y"], depths, cmap=DEPTH_COLOURS, **style.PIXEL_LOOK
     )
@@ -64,15 +64,15 @@ def _draw_map(axes: Axes, contact: xr.Dataset) -> None:
     axes.axvline(0, color=LINE_COLOURS["y"], lw=0.8)
     axes.set(aspect="equal", xlabel="x (nm)", ylabel="y (nm)")
     axes.locator_params(nbins=5)
-    label = contact.attrs["label"]
-    preload = _format_preload(contact["preload"])
+    label = indent_at_preload.attrs["label"]
+    preload = _format_preload(indent_at_preload["preload"])
     style.label_panel(axes, "a", f"one contact on {label}, {preload}")
 
 
-def _draw_line(axes: Axes, contact: xr.Dataset, axis: str) -> None:
+def _draw_line(axes: Axes, indent_at_preload: xr.Dataset, axis: str) -> None:
     """Draw the sphere, its indents down, along x or y (nm) through the deepest point."""
     other_axis = "y" if axis == "x" else "x"
-    line = contact.sel({other_axis: 0})  # x and y are relative to the deepest point
+    line = indent_at_preload.sel({other_axis: 0})  # x and y are relative to the deepest point
     height_before = -line["sphere_height"]
     height_after = height_before - line["indentation"]
     axes.fill_between(

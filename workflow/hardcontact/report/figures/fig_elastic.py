@@ -85,9 +85,11 @@ def _draw_pressures(row: np.ndarray, elastic: xr.Dataset) -> None:
     for position, (axes, surface_data) in enumerate(zip(row, pressure, strict=True), start=1):
         # Pixels that only other surfaces have are NaN.
         surface_data = surface_data.dropna("y", how="all").dropna("x", how="all")
-        contact = surface_data.where(surface_data > 0)
+        touching = surface_data.where(surface_data > 0)
         colours = {"norm": LogNorm(ticks[0], ticks[-1]), "cmap": PRESSURE_COLOURS}
-        image = axes.pcolormesh(contact["x"], contact["y"], contact, **colours, **style.PIXEL_LOOK)
+        image = axes.pcolormesh(
+            touching["x"], touching["y"], touching, **colours, **style.PIXEL_LOOK
+        )
         axes.set(facecolor=NO_CONTACT_COLOUR, aspect="equal", xlabel="x (nm)")
         axes.set(xlim=(-reach, reach), ylim=(-reach, reach))
         axes.locator_params(nbins=4)
