@@ -9,7 +9,7 @@ from scan_files import write_scan
 
 from hardcontact.commands.inventory import read_inventory
 from hardcontact.commands.new import surface_rows
-from hardcontact.commands.request import ScanFile, list_scan_files, new_arguments
+from hardcontact.commands.request import ScanFile, file_faults, list_scan_files, new_arguments
 from hardcontact.scans import reading
 from hardcontact.scans.reading import ReadingOptions
 
@@ -50,12 +50,12 @@ def test_a_folder_stands_for_its_files_of_which_unreadable_ones_are_left_out(tmp
     (tmp_path / "a.txt").write_text("notes")
     (tmp_path / ".hidden").write_text("no scan")
     arguments = new_arguments(["new", "name", str(tmp_path)])
-    scan_files, faults = list_scan_files(arguments, radius=1e5)
+    scan_files = list_scan_files(arguments, radius=1e5)
     ((scan,), (line,), problems) = read_inventory(scan_files, ReadingOptions())
-    assert scan.name == "b.nc" and not faults and not problems
+    assert scan.name == "b.nc" and not [*file_faults(arguments)] and not problems
     assert_says(line, "a.txt: expected")
     (tmp_path / "b.nc").unlink()
-    scan_files, _ = list_scan_files(arguments, radius=1e5)
+    scan_files = list_scan_files(arguments, radius=1e5)
     _, _, problems = read_inventory(scan_files, ReadingOptions())
     assert_says(problems[0], "a.txt: expected")
 

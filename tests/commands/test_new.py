@@ -73,13 +73,21 @@ def accepted(folder, done, effort="full"):
 def test_one_scan_makes_a_full_and_a_quick_study(folder, run):
     own_scan(folder / "one.nc")
     done = run(NAME, "one.nc")
-    assert f"snakemake --configfile config/{NAME}.yaml" in done.out.splitlines()
+    assert done.out.endswith(f"# a first answer\nsnakemake --configfile config/{NAME}.yaml\n")
     config, table = accepted(folder, done)
     assert config["published"] == "none" and config["sphere"]["surface"] == "smooth"
     assert table.path.tolist() == ["one.nc"] and table.surface.tolist() == ["a_test_of_new"]
     quick, _ = accepted(folder, done, "quick")
     # The quick study replaces nothing of the full one.
     assert quick["study"] != config["study"] and quick["store"] != config["store"]
+
+
+def test_the_report_has_only_choices_that_the_paper_lacks(folder, run):
+    own_scan(folder / "one.nc")
+    lines = run(NAME, "one.nc", "--preload", "5uN", "--hardness", "25 GPa").out.splitlines()
+    assert any(line.startswith("contact.preload: 5uN (preload: as given") for line in lines)
+    assert not any(line.startswith("contact.hardness") for line in lines)
+    assert "Not given, so as in the paper: --radius 250um --range 5.6nm --work 46.3mJ/m2" in lines
 
 
 def test_options_state_what_files_lack_and_are_kept(folder, run):
@@ -138,8 +146,9 @@ def test_paths_are_relative_to_the_top_folder(folder, run, monkeypatch, tmp_path
 def test_a_study_is_replaced_only_with_overwrite(folder, run):
     own_scan(folder / "one.nc")
     (folder / f"config/{NAME}.yaml").write_text("mine")
+    (folder / f"results/{NAME}").mkdir(parents=True)
     (error,) = run(NAME, "one.nc").errors
-    assert_says(error, f"config/{NAME}.yaml", "--overwrite")
+    assert_says(error, f"config/{NAME}.yaml, results/{NAME}: take another name", "--overwrite")
     assert (folder / f"config/{NAME}.yaml").read_text() == "mine"
     accepted(folder, run(NAME, "one.nc", "--overwrite"))
 
@@ -176,7 +185,7 @@ REFUSED = [
     (["lock.txt", "one.nc"], ["NAME: expected a name", "without .txt at the end"]),
     ([f"{NAME}-quick", "one.nc"], ["NAME: expected a name without the end -quick"]),
     (["store", "one.nc", "--overwrite"], ["found store"]),
-    (["kept", "one.nc"], ["results/kept-quick: expected none"]),
+    (["kept", "one.nc"], ["NAME: expected a new name, found results/kept-quick: take another"]),
     ([NAME, "one.nc", "./one.nc"], ["one.nc", "once", "2 times"]),
     (
         [NAME, "--surface", "A", "one.nc", "--surface", "a", "two.nc"],

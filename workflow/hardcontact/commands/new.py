@@ -2,6 +2,7 @@
 
 from argparse import Namespace
 from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
 
 from hardcontact.base.atomic_file import write_text_file
 from hardcontact.base.formatting import format_length
@@ -15,7 +16,13 @@ from hardcontact.commands.options import (
 )
 from hardcontact.commands.outputs import align_cells
 from hardcontact.commands.proposal import Choice, Proposal, propose_keys, values_by_key
-from hardcontact.commands.request import SPHERE, list_scan_files, name_faults, path_from_root
+from hardcontact.commands.request import (
+    SPHERE,
+    file_faults,
+    list_scan_files,
+    name_faults,
+    path_from_root,
+)
 from hardcontact.commands.scan_cautions import refuse_unreliable
 from hardcontact.config.configuration import (
     CONTACT_QUANTITIES,
@@ -39,11 +46,11 @@ def new_study(arguments: Namespace) -> str:
     """Write the files of a study of the user's surfaces; return a report in words."""
     quantities, faults = parse_quantities(arguments)
     radius = quantities["radius"].number
-    scan_files, file_faults = list_scan_files(arguments, radius)
+    scan_files = list_scan_files(arguments, radius)
     scans, left_out, scan_faults = read_inventory(
         scan_files, reading_options(arguments, quantities), arguments.channel
     )
-    faults += [*file_faults, *scan_faults]
+    faults += [*file_faults(arguments), *scan_faults]
     tip_text = quantities["tip"].text if "tip" in quantities else ""
     checked_rows = surface_rows(scans, contact_scans=[], tip_radius=tip_text)
     all_faults = [*name_faults(arguments), *faults, *_cell_faults(checked_rows)]
@@ -76,7 +83,7 @@ def _write_study(
     for path, text in texts.items():
         write_text_file(ROOT / path, text)
     return [
-        f"\nWritten: {overlay_path}, {table_path}. Now run, in {ROOT}:",
+        f"\nWritten: {overlay_path}, {table_path}. Now run, in {ROOT}:\n",
         f"{command} --config effort=quick   # a first answer",
         command,
     ]
@@ -183,7 +190,10 @@ def _overlay_text(command: str, choices: Sequence[Choice], quick: Sequence[Choic
 def _report_lines(
     scans: Sequence[UserScan], left_out: list[str], proposal: Proposal, choices: Sequence[Choice]
 ) -> Iterator[str]:
-    """Yield the lines of the report: a table of the scans, the choices and their reasons."""
+    """Yield the lines of the report: a table of the scans, then choices that the paper lacks.
+
+    The overlay has all choices, with the reason of each.
+    """
     yield "Found:"
     yield _scan_table(scans, proposal.contact_scans)
     labels = {scan.scan_file.surface: scan.scan_file.label for scan in scans}
@@ -195,17 +205,31 @@ def _report_lines(
         yield from left_out
     yield "\nContacts are made on:"
     yield from proposal.reasons
-    yield "\nChosen:"
+    yield "\nChosen, unlike the paper:"
     for key, value, reason in choices:
+        if value == key_field(key).default:
+            continue
         words = value
         if isinstance(value, list):
             is_short = len(value) <= len(CONTACT_QUANTITIES)
             ends = f"{len(value)} values, {value[0]} to {value[-1]}"
             words = ", ".join(value) if is_short else ends
         yield f"{key}: {words}" + (f" ({reason})" if reason else "")
+    if assumed := _assumed_options(values_by_key(choices)):
+        yield f"\nNot given, so as in the paper: {' '.join(assumed)}"
     if proposal.cautions:
         yield "\nTake care:"
         yield from (f"- {caution}" for caution in proposal.cautions)
+
+
+def _assumed_options(values: Mapping[str, Any]) -> list[str]:
+    """Return the options of quantities that were not given, with the paper's values."""
+    return [
+        f"--{option} {values[key].replace(' ', '')}"
+        for option, (key, _) in CONTACT_QUANTITIES.items()
+        if option not in values.get("given_quantities", ())
+        and values[key] == key_field(key).default
+    ]
 
 
 def _scan_table(scans: Sequence[UserScan], contact_scans: Sequence[UserScan]) -> str:

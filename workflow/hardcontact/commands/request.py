@@ -83,9 +83,12 @@ def name_faults(arguments: Namespace) -> Iterator[str]:
     elif not arguments.overwrite:
         # Results of this name may come from other inputs.
         results = (f"results/{name}", f"results/{name}{QUICK_SUFFIX}")
-        for file in (f"config/{name}.yaml", f"config/{name}.tsv", *results):
-            if os.path.lexists(ROOT / file):
-                yield f"{file}: expected none, found one: take another name, or add --overwrite"
+        paths = (f"config/{name}.yaml", f"config/{name}.tsv", *results)
+        if existing := [path for path in paths if os.path.lexists(ROOT / path)]:
+            yield (
+                f"NAME: expected a new name, found {', '.join(existing)}: take another name, or "
+                "add --overwrite"
+            )
 
 
 class ScanFile(NamedTuple):
@@ -107,42 +110,60 @@ def label_faults(option: str, label: str) -> Iterator[str]:
         yield f"{option}: label: {error}"
 
 
-def list_scan_files(arguments: Namespace, radius: float) -> tuple[list[ScanFile], list[str]]:
-    """Return the files of all surfaces, the sphere's last, and a line for each fault."""
-    labelled_files = [(arguments.name, arguments.files)] if arguments.files else []
-    labelled_files += [(label, files) for label, *files in arguments.surface]
-    faults = [] if labelled_files else ["FILE: expected files of scans, found none"]
+def list_scan_files(arguments: Namespace, radius: float) -> list[ScanFile]:
+    """Return the files of all surfaces, the sphere's last; `radius` (nm) is that of the sphere."""
+    return [
+        ScanFile(
+            surface=surface_id(label),
+            label=label,
+            path=path,
+            table_path=path_from_root(path),
+            # Files are compared, because by mistake a surface may have the label of the sphere.
+            sphere_radius=radius if files is arguments.sphere else None,
+            is_in_folder=path != file,
+        )
+        for label, files in _labelled_files(arguments)
+        for file in files
+        for path in _files_in(file)
+    ]
+
+
+def file_faults(arguments: Namespace) -> Iterator[str]:
+    """Yield a line for each fault of the labels, files and folders of the command line."""
+    if not (arguments.files or arguments.surface):
+        yield "FILE: expected files of scans, found none"
     for label, *files in arguments.surface:
-        faults += label_faults("--surface", label)
+        yield from label_faults("--surface", label)
         if not files:
-            faults.append(f"--surface {label}: expected files of scans, found none")
-    labelled_files += [(SPHERE, arguments.sphere)] if arguments.sphere else []
-    scan_files: list[ScanFile] = []
+            yield f"--surface {label}: expected files of scans, found none"
     labels: dict[str, str] = {}
-    for label, files in labelled_files:
+    counts = Counter[str]()
+    for label, files in _labelled_files(arguments):
         surface = surface_id(label)
         if surface in labels:
-            faults.append(
+            yield (
                 f"labels {labels[surface]} and {label}: expected different ids, found {surface} "
                 "for both: take labels that differ in letters a-z or digits"
             )
         labels.setdefault(surface, label)
-        # Files are compared, because by mistake a surface may have the label of the sphere.
-        sphere_radius = radius if files is arguments.sphere else None
         for file in files:
-            file_paths = _files_in(file)
-            if not file_paths:
-                faults.append(f"{file}: expected a folder with files of scans, found none")
-            for path in file_paths:
-                scan_file = ScanFile(surface, label, path, path_from_root(path), sphere_radius)
-                scan_files.append(scan_file._replace(is_in_folder=path != file))
-    counts = Counter(scan_file.table_path for scan_file in scan_files)
-    faults += [
-        f"{path}: expected each file once, found it {count} times"
-        for path, count in counts.items()
-        if count > 1
-    ]
-    return scan_files, faults
+            paths = _files_in(file)
+            if not paths:
+                yield f"{file}: expected a folder with files of scans, found none"
+            counts.update(path_from_root(path) for path in paths)
+    for path, count in counts.items():
+        if count > 1:
+            yield f"{path}: expected each file once, found it {count} times"
+
+
+def _labelled_files(arguments: Namespace) -> Iterator[tuple[str, list[str]]]:
+    """Yield the label of each surface with its files and folders, the sphere last."""
+    if arguments.files:
+        yield arguments.name, arguments.files
+    for label, *files in arguments.surface:
+        yield label, files
+    if arguments.sphere:
+        yield SPHERE, arguments.sphere
 
 
 def _files_in(path: str) -> list[str]:
