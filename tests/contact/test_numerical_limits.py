@@ -37,8 +37,8 @@ def mean_force(surface):
 def scan_over_surface_force(rms_height, pixels):
     """Return the mean force on scans relative to the surfaces of 10 µm from which they are cut."""
     surface_forces, scan_forces = [], []
-    for draw in range(20):
-        surface = random_surface(generator(5, draw), 256, PIXEL, DENSITY)
+    for trial in range(20):
+        surface = random_surface(generator(5, trial), 256, PIXEL, DENSITY)
         factor = rms_height / surface.heights.std()
         surface = replace(surface, heights=factor * surface.heights)
         surface_forces.append(mean_force(surface))

@@ -69,7 +69,7 @@ def assert_contained(intervals):
 
 # Both edges, of a spectrum that is known
 
-#: Edges in nm of the mean over 300 other scans, from `edges_of_shared_scans` of the draws 1000 to
+#: Edges in nm of the mean over 300 other scans, from `edges_of_shared_scans` of the trials 1000 to
 #: 1299; 95 % of 2000 samples of these scans with replacement give 135 to 138 nm and 671 to 705 nm.
 TRUE_EDGES = {"short": 137.0, "long": 688.0}
 FILTERS = {side: Filters(side, 256, [edge]) for side, edge in TRUE_EDGES.items()}
@@ -81,9 +81,9 @@ def known_density(wavevector):
 
 
 @cache
-def intervals_of_draw(draw):
+def intervals_of_trial(trial):
     """Return the intervals of the force ratios at both true edges from one scan."""
-    rng = generator(11, draw)
+    rng = generator(11, trial)
     surface = random_surface(rng, 256, SIZE / 64, known_density)
     mirrored = mirror_scan(level_plane(cut_scan(surface, 64)))
     short = short_edge_master(rng, mirrored, 256, transition=160.0, spectrum=known_density)
@@ -95,7 +95,7 @@ def intervals_of_draw(draw):
 @pytest.mark.study
 @pytest.mark.parametrize("side", TRUE_EDGES)
 def test_the_interval_from_one_scan_contains_the_edge_of_the_mean(side):
-    assert_contained([intervals_of_draw(draw).sel(side=side) for draw in range(30)])
+    assert_contained([intervals_of_trial(trial).sel(side=side) for trial in range(30)])
 
 
 # The long edge, of a spectrum that is measured on the scan
@@ -120,19 +120,21 @@ def interval_of_one_scan(number):
     heights = surface.heights[:PIXELS, :PIXELS].astype(float)
     scan = level_plane(HeightMap(heights, PIXEL_SIZE, tip_radius=1.0))
     spectrum = spectrum_of_dataset(joined_spectrum([scan], [None]))
-    rngs = (generator(3, number, draw) for draw in range(REALIZATIONS))
+    rngs = (generator(3, number, realization) for realization in range(REALIZATIONS))
 
     def filtered_forces(spectra):
         """Return the forces on masters of spectra, each with a factor on the heights."""
         masters = (
             long_edge_master(
-                generator(4, number, draw),
+                generator(4, number, realization),
                 mirror_scan(replace(scan, heights=scan.heights * factor)),
                 TILES, 0.4 * SIZE, master_spectrum,
             )
-            for draw, (master_spectrum, (factor,)) in enumerate(spectra)
+            for realization, (master_spectrum, (factor,)) in enumerate(spectra)
         )  # fmt: skip
-        numbered_masters = ((draw, LONG_FILTERS, master) for draw, master in enumerate(masters, 1))
+        numbered_masters = (
+            (realization, LONG_FILTERS, master) for realization, master in enumerate(masters, 1)
+        )
         return forces(numbered_masters, WIDE_CONTACT)
 
     measured_forces = filtered_forces([(spectrum, np.ones(1))] * REALIZATIONS)

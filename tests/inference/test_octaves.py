@@ -68,17 +68,17 @@ def test_the_sensitivity_of_a_power_is_its_exponent():
 
 
 def test_intervals_of_few_skewed_contacts_contain_the_sensitivity_with_their_confidence():
-    # The 64 contacts of a study of own scans at quick effort; each octave is another draw.
+    # The 64 contacts of a study of own scans at quick effort; each octave is another trial.
     rng = np.random.default_rng(3)
-    draws, contacts, sensitivity = 3000, (8, 8), -0.5
-    force = np.exp(0.4 * rng.standard_normal((draws, 1, *contacts)))
+    trials, contacts, sensitivity = 3000, (8, 8), -0.5
+    force = np.exp(0.4 * rng.standard_normal((trials, 1, *contacts)))
     # The mean of the exponential distribution is 1, so the expected sensitivity is -0.5.
     single_sensitivity = sensitivity + 1 - rng.exponential(size=force.shape)
     change = np.array([-AMPLITUDE_STEP, AMPLITUDE_STEP])[:, None, None]
     axes = ("map", "octave", "factor", "contact_y", "contact_x")
     forces = xr.Dataset(
         {"octave_force": (axes, (force * (1 + change * single_sensitivity))[None])},
-        {"octave": np.arange(draws), "factor": list(AMPLITUDE_FACTORS)},
+        {"octave": np.arange(trials), "factor": list(AMPLITUDE_FACTORS)},
         {"map_size": 10_000.0, "period": 20_000.0},
     )
     result = octave_sensitivities(forces, parts_of_maps(forces, radius=50_000.0, rho=3.0), 0.95)

@@ -39,18 +39,18 @@ def test_three_scans_are_independent_parts_and_fewer_are_divided_into_quarters()
     np.testing.assert_array_equal(two.part_of_contact[1], QUARTERS + 4)
 
 
-def random_forces(rng, draws, pixels, deviation):
-    """Return forces (draw, pixels, pixels) at every pixel of mirrored white roughness.
+def random_forces(rng, trials, pixels, deviation):
+    """Return forces (trial, pixels, pixels) at every pixel of mirrored white roughness.
 
     The surface attracts with a Gaussian weight, whose deviation is in pixels.
     """
-    spectrum = fft.dctn(rng.standard_normal((draws, pixels, pixels)), axes=(1, 2), norm="ortho")
+    spectrum = fft.dctn(rng.standard_normal((trials, pixels, pixels)), axes=(1, 2), norm="ortho")
     decay = np.exp(-((np.pi * np.arange(pixels) * deviation / pixels) ** 2) / 2)
     return fft.idctn(spectrum * decay[:, None] * decay, axes=(1, 2), norm="ortho")
 
 
 def quarter_means(forces):
-    """Return means (draw, quarter) of forces (draw, pixels, pixels)."""
+    """Return means (trial, quarter) of forces (trial, pixels, pixels)."""
     half = forces.shape[1] // 2
     return forces.reshape(-1, 2, half, 2, half).mean(axis=(2, 4)).reshape(-1, 4)
 
@@ -66,27 +66,27 @@ def test_quarters_correlate_as_those_of_smoothed_noise(deviation):
 @pytest.mark.parametrize("deviation", [0.02, 0.15, 0.3])
 def test_quarters_of_a_surface_that_is_not_mirrored_correlate_as_those_of_noise(deviation):
     # The force at each pixel is periodic noise, smoothed by a Gaussian with a deviation in periods.
-    pixels, draws = 32, 4000
-    noise = np.random.default_rng(1).standard_normal((draws, pixels, pixels))
+    pixels, trials = 32, 4000
+    noise = np.random.default_rng(1).standard_normal((trials, pixels, pixels))
     decay = np.exp(-2 * (np.pi * fft.fftfreq(pixels, 1 / pixels) * deviation) ** 2)
     forces = fft.ifftn(fft.fftn(noise, axes=(1, 2)) * decay[:, None] * decay, axes=(1, 2)).real
     quarters = quarters_of_contacts(pixels, 1)
     means = np.stack([forces[:, quarters == quarter].mean(axis=1) for quarter in range(4)], axis=1)
-    measured_correlation = means.T @ means / np.mean(means**2) / draws
+    measured_correlation = means.T @ means / np.mean(means**2) / trials
     scan_parts = parts_of_scans(np.zeros(1), quarters, period=1.0, weight_deviation=deviation)
     np.testing.assert_allclose(scan_parts.correlation_matrix, measured_correlation, atol=0.05)
 
 
 @pytest.mark.parametrize("scans", [1, 2, 3, 5])
 def test_intervals_contain_the_mean_with_their_confidence(scans):
-    draws, deviation = 1500, 0.3
+    trials, deviation = 1500, 0.3
     means = quarter_means(
-        random_forces(np.random.default_rng(2), draws * scans, 16, deviation * 16)
+        random_forces(np.random.default_rng(2), trials * scans, 16, deviation * 16)
     )
-    means = means.reshape(draws, -1)
+    means = means.reshape(trials, -1)
     scan_parts = parts_of_scans(np.arange(scans), QUARTERS, period=2.0, weight_deviation=deviation)
     if not scan_parts.are_quarters:
-        means = means.reshape(draws, scans, 4).mean(axis=-1)
+        means = means.reshape(trials, scans, 4).mean(axis=-1)
     count = means.shape[1]
     delete_one_means = (means.sum(axis=1, keepdims=True) - means) / (count - 1)
     half_width = half_width_of(delete_one_means.T, scan_parts, 0.9)

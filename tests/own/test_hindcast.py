@@ -57,8 +57,8 @@ def test_a_gaussian_scan_passes(side):
 def test_a_hindcast_fails_if_the_interval_of_its_ratio_lies_outside_the_tolerance(
     ratio, log_scatter, fails
 ):
-    draws = np.random.default_rng(2).standard_normal(12)
-    log_deviations = log_scatter * (draws - draws.mean()) / draws.std(ddof=1)
+    deviates = np.random.default_rng(2).standard_normal(12)
+    log_deviations = log_scatter * (deviates - deviates.mean()) / deviates.std(ddof=1)
     scan_force = xr.DataArray(
         np.ones((1, 1, 1, 1)), {"side": ["short"]}, ("side", "map", *CONTACT_AXES)
     )
@@ -103,15 +103,17 @@ def test_only_the_octave_is_replaced_and_there_are_no_waves_beyond_it(side):
 
 
 def test_the_interval_has_its_confidence():
-    """The force with the octave of the scan is a draw like those with artificial octaves."""
+    """The force with the octave of the scan is distributed like those with artificial octaves."""
     rng = np.random.default_rng(3)
     trials = 2000
-    draws = np.exp(0.3 * rng.standard_normal((hindcast.ARTIFICIAL_OCTAVE_COUNT + 1, trials)))
+    octave_forces = np.exp(
+        0.3 * rng.standard_normal((hindcast.ARTIFICIAL_OCTAVE_COUNT + 1, trials))
+    )
     shape = dict(zip(CONTACT_AXES, (1, 1), strict=True))
     forces = xr.Dataset(
         {
-            "scan_octave_force": ("side", draws[0]),
-            "artificial_octave_force": (("realization", "side"), draws[1:]),
+            "scan_octave_force": ("side", octave_forces[0]),
+            "artificial_octave_force": (("realization", "side"), octave_forces[1:]),
         },
         {"side": np.arange(trials)},
     ).expand_dims(map=1, **shape)

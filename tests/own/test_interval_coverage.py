@@ -86,7 +86,7 @@ def test_intervals_contain_spectrum_force_and_edges_of_known_surfaces(monkeypatc
         radii = TIP_RADII[: len(scans)]
         measured_spectrum = spectrum_of_dataset(joined_spectrum(scans, radii))
         measured_logs = log_quantities(measured_spectrum, true_band)
-        rngs = (generator(32, number, has_line, draw) for draw in range(SAMPLE_COUNT))
+        rngs = (generator(32, number, has_line, sample) for sample in range(SAMPLE_COUNT))
         shifts = [
             log_quantities(sampled_spectrum, true_band) - measured_logs
             for sampled_spectrum, _ in sample_spectra(rngs, scans, radii)

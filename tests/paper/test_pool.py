@@ -13,7 +13,7 @@ from hardcontact.base.statistics import student_log_interval
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.inference.fit import spline_weights
-from hardcontact.paper.pool import pool_rms_heights, scans_of_set
+from hardcontact.paper.pool import pool_rms_heights, sample_pool_scans
 from hardcontact.paper.sets import scale_to_sampled_mean
 from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.metrics import TABLE1_METRICS, metrics
@@ -49,7 +49,7 @@ def test_a_scan_of_the_pool_does_not_depend_on_other_scans():
 
 
 def test_a_set_has_the_forces_and_roughness_of_its_scans_at_the_sampled_heights():
-    sampled_set = scans_of_set(pool_of(*SCAN_NUMBERS), generator(1, "draw"), 5)
+    sampled_set = sample_pool_scans(pool_of(*SCAN_NUMBERS), generator(1, "draw"), 5)
     assert len(set(sampled_set["number"].values)) == 5
     assert sampled_set["rms_height"].mean().item() == pytest.approx(10.0, rel=1e-12)
     assert sampled_set["rms_height"].std(ddof=1).item() == pytest.approx(4.0, rel=1e-12)
@@ -73,10 +73,14 @@ def test_a_set_has_the_forces_and_roughness_of_its_scans_at_the_sampled_heights(
 def test_sets_that_would_need_a_smoother_scan_are_sampled_again_or_refused():
     wide = pool_of(*SCAN_NUMBERS).assign_attrs(rms_height_deviation=6.5)
     lowest = wide["rms_height_of_force"].min().item()
-    heights = np.array([scans_of_set(wide, generator(3, n), 3)["rms_height"] for n in range(20)])
+    heights = np.array(
+        [sample_pool_scans(wide, generator(3, n), 3)["rms_height"] for n in range(20)]
+    )
     assert (heights >= lowest * (1 - 1e-9)).all()
     np.testing.assert_allclose(heights.std(axis=1, ddof=1), 6.5)
-    message = refusal(scans_of_set, wide.assign_attrs(rms_height_deviation=30.0), generator(3), 5)
+    message = refusal(
+        sample_pool_scans, wide.assign_attrs(rms_height_deviation=30.0), generator(3), 5
+    )
     assert_says(message, "expected sets of 5 scans", "10 +- 30 nm", "found none")
 
 

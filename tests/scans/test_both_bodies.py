@@ -46,7 +46,7 @@ def force_of_rough_sphere(wafer, sphere, contact_pixel, position):
 
 def test_a_smooth_sphere_on_the_sum_of_both_touches_like_the_rough_one(wafer, sphere):
     combined = combine_maps(generator(1), mirror_scan(wafer), mirror_scan(sphere))
-    start = generator(1).integers(2 * PIXELS, size=2)  # as `combine_maps` draws it
+    start = generator(1).integers(2 * PIXELS, size=2)  # as `combine_maps` samples it
     bodies = join_bodies(combined, None, CONTACT)  # None for a smooth sphere
     forces = forces_at_loadings(bodies, [CONTACT], [CONTACT.rho])[0, 0]
     # The window, 30 pixels to each side of this contact, has no mirror image of the sum.

@@ -86,7 +86,7 @@ def test_sampled_spectra_scatter_by_calibration_and_exponent():
         random_map(generator(24), 128, 8.0, gentle_density),
         random_map(generator(25), 128, 40.0, gentle_density),
     ]
-    rngs = (generator(26, draw) for draw in range(100))
+    rngs = (generator(26, sample) for sample in range(100))
     spectra, factors = zip(*sample_spectra(rngs, scans, [1e-3, 1e-3]), strict=True)
     # At 40 nm only the small map is reliable, with hundreds of waves.
     log_power = np.log([spectrum(2 * np.pi / 40) for spectrum in spectra])
@@ -146,7 +146,7 @@ def test_sampled_curves_scatter_with_the_stated_variance():
     density = np.where(is_measured, gentle_density(BIN_CENTRES), np.nan)
     point_variance = np.where(is_measured, variance_of_log(modes), np.nan)
     wavevector, mean, variance = smooth_curve(density, point_variance)
-    curves = [smooth_curve(density, point_variance, generator(23, draw)) for draw in range(400)]
+    curves = [smooth_curve(density, point_variance, generator(23, sample)) for sample in range(400)]
     sampled_logs = np.log([curve.density for curve in curves])
     np.testing.assert_allclose(
         sampled_logs.std(axis=0), np.sqrt(variance - CALIBRATION_SCATTER**2), rtol=0.15

@@ -47,7 +47,7 @@ def test_a_feature_is_a_gaussian_of_its_height_and_width(periodic):
     features = Features(number_density=0.1, height=-20.0, width=60.0, base_factor=1.0, counts=(1,))
     flat = replace(FLAT, periodic=periodic)
     heights = add_features(np.random.default_rng(4), flat, features, 1).heights
-    centre = np.random.default_rng(4).uniform(0, SIZE, 2)  # the same draw
+    centre = np.random.default_rng(4).uniform(0, SIZE, 2)  # the same sample
     position = (np.arange(PIXELS) + 0.5) * PIXEL
     offsets = np.abs(position - centre[:, None])
     if periodic:

@@ -132,8 +132,8 @@ def test_the_search_size_is_twice_the_rms_distance_of_the_highest_points(rms_hei
     position = pixel * (np.arange(pixels) - pixels // 2)
     squares = position[:, None] ** 2 + position**2
     squared_distances = []
-    for draw in range(60):
-        heights = random_surface(generator(3, draw), pixels, pixel, spectrum).heights
+    for trial in range(60):
+        heights = random_surface(generator(3, trial), pixels, pixel, spectrum).heights
         heights = rms_height / heights.std() * heights
         for shift in product((0, 85, 170), repeat=2):  # nine positions on the periodic surface
             heights_above_sphere = np.roll(heights, shift, (0, 1)) - squares / (2 * radius)

@@ -98,7 +98,7 @@ def smooth_sphere_forces(scan: HeightMap, contact: Contact, ranges: list[float])
     return pull_off_dataset(bodies, contact, ranges)["pull_off_force"]
 
 
-def scans_of_set(pool: xr.Dataset, rng: np.random.Generator, scan_count: int) -> xr.Dataset:
+def sample_pool_scans(pool: xr.Dataset, rng: np.random.Generator, scan_count: int) -> xr.Dataset:
     """Return the scans of one substrate in a set, sampled from its pool without replacement.
 
     Their rms heights have the mean and the standard deviation of Table 1. Raises ValueError if each

@@ -8,8 +8,8 @@ forces. Its logarithm has the standard deviation e_s. The probability of a pair 
 
 The computed means f_s are uncertain, too, because few scans stand for a surface. So they come from
 many replicates. A replicate has one possible mean force on each surface: from a set of scans, or
-drawn from the distribution of the means on whole surfaces. All replicates, all ln W and all ln rho
-between the computed ends are equally probable before the forces are known.
+sampled from the distribution of the means on whole surfaces. All replicates, all ln W and all
+ln rho between the computed ends are equally probable before the forces are known.
 """
 
 import numpy as np
@@ -47,8 +47,8 @@ def sample_range_and_work(
 
     `log_curves` are ln f (replicate, surface, range), `log_targets` ln F (surface,), and `errors`
     their standard deviations. Ranges are evenly spaced in their logarithm. At each replicate and
-    range the probability is a Gaussian of ln W. So a replicate and a range are drawn by its
-    integral over ln W, and then ln W from this Gaussian.
+    range the probability is a Gaussian of ln W. So a replicate and a range are sampled by
+    its integral over ln W, and then ln W from this Gaussian.
     """
     precision = 1 / errors**2
     log_works = log_targets[:, None] - log_curves

@@ -24,7 +24,7 @@ from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.published_fit import PublishedForces, fit_published
 from hardcontact.paper.claims.judgement import claim_values
 from hardcontact.paper.featured_candidates import candidate_of_set
-from hardcontact.paper.pool import scans_of_set
+from hardcontact.paper.pool import sample_pool_scans
 from hardcontact.surfaces.metrics import TABLE1_METRICS
 from hardcontact.surfaces.topography import scan_averages
 
@@ -75,7 +75,9 @@ def sample_set_scans(inputs: SetInputs, seed: int, set_number: int) -> dict[str,
     """Return forces on and metrics of a set's scans, by substrate with a pool or candidates."""
     counts = inputs.topography["rms_height"].count("scan").to_series()
     pool_scans = {
-        name: scans_of_set(pool, generator(seed, name, set_number, "set", "scans"), counts[name])
+        name: sample_pool_scans(
+            pool, generator(seed, name, set_number, "set", "scans"), counts[name]
+        )
         for name, pool in inputs.pools.items()
     }
     return pool_scans | {
