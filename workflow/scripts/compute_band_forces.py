@@ -6,7 +6,7 @@ from hardcontact.base.progress import progress
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.inference.band_forces import band_force_dataset
-from hardcontact.inference.edges import mean_band
+from hardcontact.inference.edges import averaged_band
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.features import whole_surface
 from hardcontact.surfaces.substitutes import read_substitute
@@ -21,7 +21,7 @@ with run_job(snakemake) as job:
     constants = published.read_constants(job.input.published_constants)["value"]
     bands = {
         "published": (constants["short_edge"], constants["long_edge"]),
-        "computed": mean_band(read_dataset(job.input.edges)),
+        "computed": averaged_band(read_dataset(job.input.edges)),
     }
     forces = {}
     for number in progress(numbers, len(numbers), "surfaces"):

@@ -15,7 +15,7 @@ from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import Bodies, join_bodies, reference_gaps
 from hardcontact.contact.patches import label_patches
-from hardcontact.contact.pull_off import pixel_counts
+from hardcontact.contact.pull_off import count_contact_pixels
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Pixels on either side of the deepest pixel in the maps of one contact.
@@ -70,7 +70,7 @@ def indents_of_scans(
 
 def _sizes_of_bodies(bodies: Bodies, loaded_contacts: Sequence[Contact]) -> xr.Dataset:
     """Return the sizes of indents (preload, contact_y, contact_x) of two bodies."""
-    counts = pixel_counts(bodies, loaded_contacts)
+    counts = count_contact_pixels(bodies, loaded_contacts)
     gaps, offsets = all_contact_pixels(bodies, max(counts))
     array_shape = gaps.shape[:2]
     pixel_size = bodies.geometry.pixel_size
@@ -96,7 +96,7 @@ def _add_height_maps(
     sizes: xr.Dataset, bodies: Bodies, loaded_contacts: Sequence[Contact], index: tuple[int, int]
 ) -> xr.Dataset:
     """Add maps about one contact: its indentation at every preload, and the sphere's height."""
-    counts = np.array(pixel_counts(bodies, loaded_contacts))
+    counts = np.array(count_contact_pixels(bodies, loaded_contacts))
     contact_pixels = all_contact_pixels(bodies, int(counts.max()))
     steps = np.arange(-MAP_HALF_WIDTH, MAP_HALF_WIDTH + 1)
     deepest = contact_pixels.offsets[index][0]

@@ -67,23 +67,23 @@ def attraction_sums(
 
 
 def forces_at_loadings(
-    bodies: Bodies, loaded_contacts: Sequence[Contact], ranges: Sequence[float]
+    bodies: Bodies, contacts_by_loading: Sequence[Contact], ranges: Sequence[float]
 ) -> Floats:
     """Return the forces (loading, rho, contact_y, contact_x) of two bodies in N at 1 J/m²."""
-    counts = pixel_counts(bodies, loaded_contacts)
+    counts = count_contact_pixels(bodies, contacts_by_loading)
     return _forces_of_pixels(bodies, all_contact_pixels(bodies, max(counts)), counts, ranges)
 
 
-def pixel_counts(bodies: Bodies, loaded_contacts: Sequence[Contact]) -> list[int]:
+def count_contact_pixels(bodies: Bodies, contacts_by_loading: Sequence[Contact]) -> list[int]:
     """Return the number of contact pixels at each loading."""
-    return [contact.pixel_count(bodies.geometry.pixel_size) for contact in loaded_contacts]
+    return [contact.pixel_count(bodies.geometry.pixel_size) for contact in contacts_by_loading]
 
 
 def make_force_function(contact: Contact, sphere: HeightMap | None = None) -> ForcesOnSurface:
     """Return a function of a surface: its forces (contact_y, contact_x) in N at 1 J/m²."""
 
-    def compute_forces(surface: HeightMap) -> Floats:
-        bodies = join_bodies(surface, sphere, contact)
+    def compute_forces(substrate: HeightMap) -> Floats:
+        bodies = join_bodies(substrate, sphere, contact)
         return np.asarray(forces_at_loadings(bodies, [contact], [contact.rho])[0, 0])
 
     return compute_forces
@@ -107,10 +107,10 @@ def _forces_of_pixels(
 def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:
     """Return the rigid and plastic pull-off force of two bodies at every contact and range.
 
-    Raises ValueError if a range is too short for the relief of the surface.
+    Raises ValueError if a range is too short for the relief of the substrate.
     """
     pixel_size = bodies.geometry.pixel_size
-    counts = pixel_counts(bodies, [replace(contact, plastic=False), contact])
+    counts = count_contact_pixels(bodies, [replace(contact, plastic=False), contact])
     contact_pixels = all_contact_pixels(bodies, max(counts))
     forces = _forces_of_pixels(bodies, contact_pixels, counts, ranges)
     reference_gaps = contact_pixels.reference_gaps
@@ -134,7 +134,10 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
 def pull_off_on_spheres(
     all_bodies: Mapping[int, Bodies], contact: Contact, ranges: Sequence[float]
 ) -> xr.Dataset:
-    """Return `pull_off_dataset` (sphere_scan, ...) of bodies by the number of the sphere scan."""
+    """Return `pull_off_dataset` (sphere_scan, ...) of bodies by the number in `sphere_scan`.
+
+    It numbers the scans of the sphere, or the positions at which one scan of it touches.
+    """
     forces = {}
     for sphere_scan, bodies in all_bodies.items():
         forces_on_sphere = pull_off_dataset(bodies, contact, ranges)
@@ -151,10 +154,10 @@ def finer_pixel_ratio(bodies: Bodies, contact: Contact, forces: xr.DataArray) ->
     """
     geometry = bodies.geometry
     substrate = bodies.substrate
-    sphere = bodies.sphere_roughness
+    roughness = bodies.sphere_roughness
     fine_bodies = Bodies(
         interpolate(substrate, 2 * substrate.pixels),
-        sphere and interpolate(sphere, 2 * sphere.pixels),
+        roughness and interpolate(roughness, 2 * roughness.pixels),
         replace(
             geometry,
             pixel_size=geometry.pixel_size / 2,

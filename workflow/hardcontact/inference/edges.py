@@ -86,8 +86,8 @@ def find_edges(
     change_inside = changes.where(signed_cutoffs == last_inside).max(CUTOFF).fillna(0.0)
     cutoff_inside = abs(last_inside).fillna(xr.as_variable(spectrum_ends))
     crossed_limit = change_outside.clip(lower, upper)
-    share = (crossed_limit - change_inside) / (change_outside - change_inside)
-    edge = np.exp(np.log(cutoff_inside) + share * np.log(abs(first_outside) / cutoff_inside))
+    fraction = (crossed_limit - change_inside) / (change_outside - change_inside)
+    edge = np.exp(np.log(cutoff_inside) + fraction * np.log(abs(first_outside) / cutoff_inside))
     is_open = edge.isnull()
     signed_bound = last_inside.fillna(first_outside).where(is_open)
     is_short = signed_bound > 0
@@ -204,10 +204,10 @@ def edges_or_bounds(edges: xr.Dataset) -> xr.DataArray:
     return edges["edge"].fillna(edges["edge_bound"])
 
 
-def mean_band(edges: xr.Dataset) -> tuple[float, float]:
+def averaged_band(edges: xr.Dataset) -> tuple[float, float]:
     """Return both edges or bounds (nm) of the change averaged over all surfaces."""
-    mean_edges = edges_or_bounds(edges).sel(group=MEAN_GROUP)
-    return float(mean_edges.sel(side="short")), float(mean_edges.sel(side="long"))
+    averaged_edges = edges_or_bounds(edges).sel(group=MEAN_GROUP)
+    return float(averaged_edges.sel(side="short")), float(averaged_edges.sel(side="long"))
 
 
 def labelled_edges(
@@ -239,18 +239,18 @@ def edges_of_independent_masters(
     group_ratios = ratios.rename(surface="group")
     changes = abs(group_ratios - 1)
     # The mean over surfaces is that of |ratio - 1|, because signs would cancel.
-    mean_change = changes.mean("group", skipna=False).expand_dims(group=[MEAN_GROUP], axis=-2)
+    averaged_change = changes.mean("group", skipna=False).expand_dims(group=[MEAN_GROUP], axis=-2)
     spectrum_ends = forces["spectrum_end"].rename(surface="group")
     group_edges = [
         find_edges(xr.ufuncs.log(group_ratios), logarithmic_limits(tolerance), spectrum_ends),
-        find_edges(mean_change, (-np.inf, tolerance), spectrum_ends.mean("group")),
+        find_edges(averaged_change, (-np.inf, tolerance), spectrum_ends.mean("group")),
     ]
     edges = xr.concat(group_edges, "group")
     sampled_edges = edges["edge"].where(edges["sample"] == 0, edges_or_bounds(edges))
     variables: dict[str, Any] = {}
     for name, values, attributes in (
         ("edge", sampled_edges, NM),
-        ("filtered_force_change", xr.concat([changes, mean_change], "group"), DIMENSIONLESS),
+        ("filtered_force_change", xr.concat([changes, averaged_change], "group"), DIMENSIONLESS),
         ("filtered_force_ratio", ratios, DIMENSIONLESS),
     ):
         dimensions = [str(dim) for dim in values.dims[1:]]
