@@ -89,13 +89,18 @@ LARGEST_RATIO = 1e6
 def level_and_list_defects(
     scan: HeightMap, sphere_radius: float | None = None, levelling: str = "plane"
 ) -> HeightMap:
-    """Return a scan levelled by `remove_form`, with its defects by code.
-
-    Defects that others imitate or hide are not stated: equal lines look like a lay, sidewalls hide
-    white noise. The radius of the sphere is in nm.
-    """
+    """Return a scan levelled by `remove_form`, with its defects by code; the radius is in nm."""
     flat = remove_form(scan, sphere_radius, levelling)
-    heights = flat.heights
+    defects = _find_defects(scan, flat.heights)
+    return replace(flat, defects={code: defects[code] for code in DEFECTS if defects.get(code)})
+
+
+def _find_defects(scan: HeightMap, heights: Floats) -> dict[str, Defect]:
+    """Find the defects of a scan with levelled heights, by code; a defect without numbers is none.
+
+    A defect is left out if another defect imitates or hides it. Equal lines look like a lay, for
+    example, and sidewalls hide white noise.
+    """
     # Levelling makes equal heights unequal, so tests of equal heights need the measured ones.
     measured_heights = scan.heights
     defects: dict[str, Defect] = {}
@@ -114,14 +119,13 @@ def level_and_list_defects(
             defects["noise"] = _find_noise(heights.var(), power)
     defects["spikes"] = _find_spikes(heights)
     defects |= _find_clipping(measured_heights)
-    if not any(defects.get(code) for code in ("equal_lines", "spikes")):
+    if not (defects.get("equal_lines") or defects["spikes"]):
         defects["sidewalls"] = _find_sidewalls(heights)
-    noise_hiding_codes = ("spikes", "sidewalls", "offset_lines")
     # Rounding of quantised heights, most of which equal the next height, is noise, too.
     is_quantised = np.median(np.abs(np.diff(scan.heights, axis=0))) == 0
-    if is_quantised or any(defects.get(code) for code in noise_hiding_codes):
+    if is_quantised or any(defects.get(code) for code in ("spikes", "sidewalls", "offset_lines")):
         defects["noise"] = {}
-    return replace(flat, defects={code: defects[code] for code in DEFECTS if defects.get(code)})
+    return defects
 
 
 def _find_and_fill_streaks(heights: Floats) -> tuple[Floats, Defect]:
@@ -205,21 +209,28 @@ def _wave_power(heights: Floats) -> Floats:
 
 
 def _find_curvature(heights: Floats, pixel_size: float) -> Defect:
-    """Find a curvature: the part of second order in a polynomial fit of fourth order."""
+    """Return the smallest radius (nm) of a curvature, and the share of the rms height without it.
+
+    A polynomial of fourth order is fitted to some heights. Its terms are orthonormal and sorted by
+    order, so the squared amplitudes of an order are what this order adds to the sum of squares. A
+    ball or a bow is the second order, which roughness has, too. Hence it must be much stronger than
+    the third and fourth order, which roughness has as well, but a ball or a bow has not.
+    """
     step = max(1, len(heights) // POLYNOMIAL_POINTS)
     sampled_heights = heights[::step, ::step]
     axis = np.linspace(-1, 1, len(sampled_heights))
-    exponents = np.array([(order - j, j) for order in range(5) for j in range(order + 1)])
-    terms = [np.outer(axis**i, axis**j).ravel() for i, j in exponents]
-    polynomials, triangle = np.linalg.qr(np.transpose(terms))
-    amplitudes = polynomials.T @ sampled_heights.ravel()
+    exponents = np.array([(order - j, j) for order in range(5) for j in range(order + 1)])  # y, x
     orders = exponents.sum(axis=1)
+    terms = [np.outer(axis**i, axis**j).ravel() for i, j in exponents]
+    orthonormal_terms, triangle = np.linalg.qr(np.transpose(terms))
+    amplitudes = orthonormal_terms.T @ sampled_heights.ravel()
     squares = [float((amplitudes[orders == order] ** 2).sum()) for order in range(5)]
     total = float((sampled_heights**2).sum()) - squares[0] - squares[1]  # without height and tilt
     uncurved_squares = max(total - squares[2], 0.0)
     is_weak = uncurved_squares >= MAX_UNCURVED_SHARE**2 * total
     if is_weak or squares[2] < MIN_SECOND_ORDER_RATIO * (squares[3] + squares[4]):
         return {}
+    # The second order alone is yy y² + xy x y + xx x² plus a plane, with x and y from -1 to 1.
     coefficients = np.linalg.solve(triangle, np.where(orders == 2, amplitudes, 0))
     yy, xy, xx = coefficients[orders == 2]
     half_width = (len(sampled_heights) - 1) * step * pixel_size / 2
@@ -232,36 +243,65 @@ def _find_curvature(heights: Floats, pixel_size: float) -> Defect:
 
 def _find_line_patterns(heights: Floats, power: Floats, pixel_size: float) -> dict[str, Defect]:
     """Find offset lines and a lay, or else slopes that depend on direction."""
-    lay, slope_ratio = _find_lay(power)
-    patterns = {"offset_lines": _find_line_offsets(heights), "lay": lay}
-    if slope_ratio > MIN_LAY_RATIO and not any(patterns.values()):
+    pixels = len(power)
+    waves = np.fft.fftfreq(pixels, 1 / pixels)
+    wavevector = waves + 1j * waves[:, None]  # x + iy, in waves across the map
+    patterns = {
+        "offset_lines": _find_line_offsets(heights),
+        "lay": _find_lay(power, wavevector),
+    }
+    if not any(patterns.values()) and _slope_ratio(power, wavevector) > MIN_LAY_RATIO:
         patterns["slopes"] = _find_directional_slopes(heights, pixel_size)
     return patterns
 
 
-def _find_lay(power: Floats) -> tuple[Defect, float]:
-    """Return a lay, and the ratio of squared slopes, along the steepest direction to across."""
+def _is_resolved(wavenumber: Floats, pixels: int) -> NDArray[np.bool_]:
+    """Return whether waves are short enough to be many in a map, and long enough for its pixels."""
+    return (MIN_WAVES <= wavenumber) & (wavenumber <= pixels / MIN_PIXELS_PER_WAVE)
+
+
+def _find_lay(power: Floats, wavevector: NDArray[np.complex128]) -> Defect:
+    """Return the ratio of the variance of profiles along the wavevector of a lay to that across.
+
+    The direction along which profiles vary most is a mean over waves, weighted by their power. A
+    wave has two opposite wavevectors, at angles that differ by 180°, and their mean would be zero.
+    So the mean is taken of the doubled angles, which are equal, and then halved. For example, a
+    power of 3 at 0° and 180°, and of 1 at 90° and 270°, sums to 3 at 0° and 1 at 180°, thus to 2 at
+    0°: the direction is 0°.
+
+    A profile shows of a wavevector only the component along the profile, so the variance of
+    profiles is the power of all waves of which this component is resolved.
+    """
     pixels = len(power)
-    waves = np.fft.fftfreq(pixels, 1 / pixels)
-    wavevector = waves + 1j * waves[:, None]  # x + iy, in waves across the map
     wavenumber = np.abs(wavevector)
-    is_resolved = (MIN_WAVES <= wavenumber) & (wavenumber <= pixels / MIN_PIXELS_PER_WAVE)
-    # Opposite wavevectors have the same square.
-    squares = power[is_resolved] * (wavevector[is_resolved] / wavenumber[is_resolved]) ** 2
-    lay_wavevector = np.exp(0.5j * np.angle(squares.sum()))  # of unit length
+    is_resolved = _is_resolved(wavenumber, pixels)
+    # The square of a complex number has the doubled angle.
+    directions = wavevector[is_resolved] / wavenumber[is_resolved]
+    doubled_angle = np.angle((power[is_resolved] * directions**2).sum())
+    lay_wavevector = np.exp(0.5j * doubled_angle)  # of unit length
 
     def profile_variance(direction: complex) -> float:
         component = np.abs((wavevector * np.conj(direction)).real)
-        is_in_profile = (MIN_WAVES <= component) & (component <= pixels / MIN_PIXELS_PER_WAVE)
-        return float(power[is_in_profile].sum())
+        return float(power[_is_resolved(component, pixels)].sum())
 
     variance_along = profile_variance(lay_wavevector)
     variance_across = profile_variance(1j * lay_wavevector)
     is_lay = variance_along > max(MIN_LAY_RATIO * variance_across, MIN_LAY_SHARE * power.sum())
-    lay = {"lay_ratio": _limited_ratio(variance_along, variance_across)} if is_lay else {}
+    return {"lay_ratio": _limited_ratio(variance_along, variance_across)} if is_lay else {}
+
+
+def _slope_ratio(power: Floats, wavevector: NDArray[np.complex128]) -> float:
+    """Return the ratio of squared slopes of resolved waves along the steepest direction to across.
+
+    The squared slope of a wave is its power times its squared wavenumber. Its sum is that of the
+    squared slopes along both directions. The length of the sum at doubled angles is the difference:
+    squared slopes of 3 along x and 1 along y have the sum 4, the difference 2, and the ratio 3.
+    """
+    wavenumber = np.abs(wavevector)
+    is_resolved = _is_resolved(wavenumber, len(power))
     squared_slopes = (power * wavenumber**2)[is_resolved].sum()
-    difference = abs((power * wavevector**2)[is_resolved].sum())  # along minus across
-    return lay, _limited_ratio(squared_slopes + difference, squared_slopes - difference)
+    difference = abs((power * wavevector**2)[is_resolved].sum())
+    return _limited_ratio(squared_slopes + difference, squared_slopes - difference)
 
 
 def _limited_ratio(larger: float, smaller: float) -> float:
@@ -292,7 +332,13 @@ def _find_directional_slopes(heights: Floats, pixel_size: float) -> Defect:
 
 
 def _find_noise(variance: float, power: Floats) -> Defect:
-    """Find white noise: it makes the spectrum flat at short waves, but not at longer ones."""
+    """Return the rms height (nm) of white noise, and the rms height of a map without it.
+
+    White noise has the same power at all waves, and surfaces have less power at shorter waves. So
+    noise makes the spectrum flat at the shortest waves, but not at longer ones. The slopes of the
+    spectrum between mean powers of half octaves show this. The power of the shortest half octave
+    then counts as noise at all waves, which is the most that it can be.
+    """
     pixels = len(power)
     waves = np.fft.fftfreq(pixels, 1 / pixels)
     wavenumber = np.hypot(waves, waves[:, None])  # in waves across the map
@@ -304,16 +350,19 @@ def _find_noise(variance: float, power: Floats) -> Defect:
     half_octave_masks = [half_octave_of_wave == index for index in resolved_half_octaves]
     mean_powers = [power[mask].mean() for mask in half_octave_masks]
     counts = [np.count_nonzero(mask) for mask in half_octave_masks]
-    # Slopes of the logarithmic spectrum against the wavenumber, shortest waves first.
+    # Slopes of the logarithmic spectrum against the wavenumber, shortest waves first. Mean powers
+    # go from short to long waves, and two half octaves are one unit of log2.
     slopes = -2 * np.diff(np.log2(np.maximum(mean_powers, np.finfo(float).tiny)))
     # Under the window one wave of four is independent, and opposite wavevectors have equal power.
     relative_errors = np.sqrt(8 / np.array(counts))
     errors = 2 / np.log(2) * np.hypot(relative_errors[1:], relative_errors[:-1])
     margins = MIN_STANDARD_ERRORS * errors
-    is_noisy = slopes[0] - margins[0] > FLATTEST_SLOPE > (slopes + margins).min()
+    is_flat_at_short_waves = slopes[0] - margins[0] > FLATTEST_SLOPE
+    is_steep_elsewhere = (slopes + margins).min() < FLATTEST_SLOPE
     # The mean square of the window is 3/8 along each axis.
     noise_variance = mean_powers[0] / (3 / 8 * pixels) ** 2
-    if not is_noisy or noise_variance < MIN_NOISE_SHARE * variance:
+    is_weak = noise_variance < MIN_NOISE_SHARE * variance
+    if is_weak or not (is_flat_at_short_waves and is_steep_elsewhere):
         return {}
     return {
         "noise_height": float(np.sqrt(noise_variance)),
