@@ -20,10 +20,10 @@ def test_only_scans_of_the_sphere_have_its_shape():
 
 def test_masters_of_substitutes_of_the_paper_have_a_scan_each_and_others_take_turns():
     plan = study_files(scans=[2, 5], measured_surfaces=["mcd"]).plan
-    assert [plan.master_scan("uncd", number) for number in (1, 2, 3, 4)] == [2, 5, 6, 7]
-    assert [plan.master_scan("mcd", number) for number in (1, 2, 3)] == [2, 5, 2]
+    assert [plan.master_scan_number("uncd", number) for number in (1, 2, 3, 4)] == [2, 5, 6, 7]
+    assert [plan.master_scan_number("mcd", number) for number in (1, 2, 3)] == [2, 5, 2]
     plan.study = plan.study | {"published": "none"}
-    assert [plan.master_scan("uncd", number) for number in (1, 2, 3, 4)] == [2, 5, 2, 5]
+    assert [plan.master_scan_number("uncd", number) for number in (1, 2, 3, 4)] == [2, 5, 2, 5]
 
 
 # Forces

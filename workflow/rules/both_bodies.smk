@@ -12,7 +12,7 @@ rule combine_scans:
     input:
         substrate=lambda w: FILES.mirrored_scan_path(w.surface, int(w.scan)),
         sphere=lambda w: FILES.mirrored_scan_path(
-            SELECTION.sphere, PLAN.sphere_scan(w.surface, int(w.scan))
+            SELECTION.sphere, PLAN.sphere_scan_number(w.surface, int(w.scan))
         ),
     output:
         STORE.combined_scans,
@@ -22,7 +22,7 @@ rule combine_scans:
         parameters=lambda w: dict(
             surface=w.surface,
             scan=int(w.scan),
-            sphere_scan=PLAN.sphere_scan(w.surface, int(w.scan)),
+            sphere_scan=PLAN.sphere_scan_number(w.surface, int(w.scan)),
             **SETTINGS["both_bodies"],
         ),
     script:

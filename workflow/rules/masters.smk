@@ -14,7 +14,7 @@ rule synthesize_masters:
     """Make a master for each side: a scan with random waves beyond the side's transition."""
     input:
         scan=lambda w: FILES.contact_map_path(
-            w.surface, PLAN.master_scan(w.surface, int(w.realization))
+            w.surface, PLAN.master_scan_number(w.surface, int(w.realization))
         ),
         spectrum=lambda w: FILES.contact_spectrum_path(w.surface),
     output:

@@ -9,7 +9,8 @@ rule compute_hindcast_forces:
         mirrored=lambda w: FILES.contact_map_path(w.surface, int(w.scan)),
         spectrum=lambda w: FILES.contact_spectrum_path(w.surface),
         body_spectra=lambda w: [
-            FILES.spectrum_path(body.surface) for body in PLAN.rough_bodies(w.surface, int(w.scan))
+            FILES.spectrum_path(body.surface)
+            for body in PLAN.body_scan_ids(w.surface, int(w.scan))
         ],
         sphere=SPHERE_SCAN,
     output:
@@ -17,7 +18,7 @@ rule compute_hindcast_forces:
     params:
         parameters=lambda w: dict(
             scan=int(w.scan),
-            body_scans=PLAN.rough_bodies(w.surface, int(w.scan)),
+            body_scans=PLAN.body_scan_ids(w.surface, int(w.scan)),
             measurement_indices=PLAN.measurement_indices(w.surface, int(w.scan)),
             **SETTINGS["hindcast"],
         ),
@@ -49,7 +50,9 @@ if PLAN.measured_scan_ids:
 HINDCAST = RESULTS.dataset("hindcast") if PLAN.measured_scan_ids else []
 #: How many scans the masters share, and how forces on masters are compared.
 MASTER_PARAMETERS = {
-    "scan_counts": {name: len(SELECTION.contact_scans(name)) for name in SELECTION.substrates},
+    "scan_counts": {
+        name: len(SELECTION.contact_scan_numbers(name)) for name in SELECTION.substrates
+    },
     "tiles": STUDY["band"]["long"]["tiles"],
     "tolerance": STUDY["band"]["tolerance"],
     "confidence": STUDY["intervals"]["confidence"],

@@ -104,11 +104,15 @@ rule aggregate_topography:
         scans=FILES.paths(STORE.levelled_scans, PLAN.scan_ids),
         spectra=[FILES.spectrum_path(surface) for surface in SELECTION.surfaces],
         conditionings=[
-            FILES.path(STORE.conditioning, surface, scan=SELECTION.contact_scans(surface)[0])
+            FILES.path(
+                STORE.conditioning, surface, scan=SELECTION.contact_scan_numbers(surface)[0]
+            )
             for surface in SELECTION.substitutes
         ],
         examples=[
-            FILES.path(STORE.levelled_scans, surface, scan=SELECTION.contact_scans(surface)[0])
+            FILES.path(
+                STORE.levelled_scans, surface, scan=SELECTION.contact_scan_numbers(surface)[0]
+            )
             for surface in SELECTION.surfaces
         ],
     output:

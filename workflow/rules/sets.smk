@@ -19,7 +19,7 @@ rule compute_pool:
             surface=w.surface,
             first=int(w.first),
             last=int(w.last),
-            scan_count=len(SELECTION.contact_scans(w.surface)),
+            scan_count=len(SELECTION.contact_scan_numbers(w.surface)),
         ),
     script:
         "../scripts/compute_pool.py"
@@ -37,7 +37,7 @@ rule compute_featured_candidates:
             surface=w.surface,
             first=int(w.first),
             last=int(w.last),
-            scan_count=len(SELECTION.contact_scans(w.surface)),
+            scan_count=len(SELECTION.contact_scan_numbers(w.surface)),
             features=w.features,
         ),
     script:

@@ -6,8 +6,8 @@
 # first scan of the reference surface, with the first scan of the sphere.
 TRACED_CONTACT = {
     **SELECTION.attributes(STUDY["reference_surface"]),
-    "scan": SELECTION.contact_scans(STUDY["reference_surface"])[0],
-    "sphere_scan": SELECTION.contact_scans(SELECTION.sphere)[0],
+    "scan": SELECTION.contact_scan_numbers(STUDY["reference_surface"])[0],
+    "sphere_scan": SELECTION.contact_scan_numbers(SELECTION.sphere)[0],
     "contact_index": [STUDY["contact"]["contacts_per_row"] // 2] * 2,  # row and column
 }
 INDENTING_SURFACE = STUDY["indent"]["surface"]
@@ -15,8 +15,8 @@ INDENTING_SURFACE = STUDY["indent"]["surface"]
 SUBSTRATE_AND_SPHERE_SCANS = {
     "substrates": lambda w: FILES.mirrored_scan_paths(w.surface),
     "spheres": lambda w: [
-        FILES.mirrored_scan_path(SELECTION.sphere, PLAN.sphere_scan(w.surface, scan))
-        for scan in SELECTION.contact_scans(w.surface)
+        FILES.mirrored_scan_path(SELECTION.sphere, PLAN.sphere_scan_number(w.surface, scan))
+        for scan in SELECTION.contact_scan_numbers(w.surface)
     ],
 }
 
@@ -45,7 +45,7 @@ rule solve_elastic_contacts:
     params:
         parameters=lambda w: dict(
             surface=w.surface,
-            scans=SELECTION.contact_scans(w.surface),
+            scans=SELECTION.contact_scan_numbers(w.surface),
             **SETTINGS["elastic"],
         ),
     script:
@@ -78,8 +78,8 @@ rule measure_indents:
     params:
         parameters=dict(
             **SELECTION.attributes(INDENTING_SURFACE),
-            scan_numbers=SELECTION.contact_scans(INDENTING_SURFACE),
-            sphere_scan_numbers=SELECTION.contact_scans(SELECTION.sphere),
+            scan_numbers=SELECTION.contact_scan_numbers(INDENTING_SURFACE),
+            sphere_scan_numbers=SELECTION.contact_scan_numbers(SELECTION.sphere),
             preloads=STUDY["indent"]["preloads"],
             contact=CONTACT_ARGUMENTS | {"preload": max(STUDY["indent"]["preloads"])},
         ),
@@ -96,7 +96,7 @@ rule find_asperities:
     params:
         parameters=lambda w: dict(
             surface=w.surface,
-            scans=SELECTION.contact_scans(w.surface),
+            scans=SELECTION.contact_scan_numbers(w.surface),
             **SETTINGS["asperities"],
         ),
     script:

@@ -44,7 +44,7 @@ SUBSTITUTE_INPUTS = {
 }
 SPHERE_SCAN = (
     FILES.first_sphere_scan_path
-    if SELECTION.contact_scans(SELECTION.sphere) and not PLAN.combined_surfaces
+    if SELECTION.contact_scan_numbers(SELECTION.sphere) and not PLAN.combined_surfaces
     else []
 )
 

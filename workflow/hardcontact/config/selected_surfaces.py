@@ -86,20 +86,20 @@ class Selection:
             name for name in self.substitute_substrates if name in published_surfaces
         ]
 
-    def contact_scans(self, surface: str) -> list[int]:
+    def contact_scan_numbers(self, surface: str) -> list[int]:
         """Return the numbers of the scans of a surface that contacts are made on."""
         return self._contact_rows.scan[self._contact_rows.surface == surface].tolist()
 
     @property
-    def sphere_scans(self) -> list[int]:
+    def sphere_scan_numbers(self) -> list[int]:
         """Numbers of the scans of the sphere; NO_SCAN alone for a smooth sphere."""
-        return self.contact_scans(self.sphere) or [NO_SCAN]
+        return self.contact_scan_numbers(self.sphere) or [NO_SCAN]
 
     def attributes(self, surface: str) -> dict[str, str]:
         """Return the attributes of a dataset of one surface."""
         return {"surface": surface, "label": self.labels[surface], "source": self.sources[surface]}
 
-    def all_scans(self, surface: str) -> list[int]:
+    def all_scan_numbers(self, surface: str) -> list[int]:
         """Return the numbers of all scans of a surface, with those of its spectrum alone."""
         return self._rows.scan[self._rows.surface == surface].tolist()
 
@@ -109,7 +109,7 @@ class Selection:
         return [float(text) if text else None for text in texts]
 
     def contact_scan_indices(self, surface: str) -> list[int]:
-        """Return the indices, from 0, of the scans with contacts in `all_scans` of a surface."""
+        """Return the indices, from 0, of the scans with contacts among all scans of a surface."""
         uses = self._rows.use[self._rows.surface == surface]
         return [index for index, use in enumerate(uses) if use == CONTACT_USE]
 
@@ -123,7 +123,7 @@ class Selection:
 
     def description(self, surface: str) -> str:
         """Return the file that describes the spectrum of a substitute."""
-        return self.path(surface, self.contact_scans(surface)[0])
+        return self.path(surface, self.contact_scan_numbers(surface)[0])
 
     def tables(self, surface: str) -> list[str]:
         """Return the paths of the tables of points that the description of a substitute names."""

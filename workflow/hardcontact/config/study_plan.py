@@ -36,7 +36,7 @@ class StudyPlan:
         return [
             ScanId(surface, scan)
             for surface in self.selection.surfaces
-            for scan in self.selection.contact_scans(surface)
+            for scan in self.selection.contact_scan_numbers(surface)
         ]
 
     @property
@@ -60,24 +60,24 @@ class StudyPlan:
         master_count = max(self.study[name]["masters"] for name in ("band", "sets", "exponents"))
         surfaces_by_batch = defaultdict[tuple[int, ...], list[str]](list)
         for surface in self.selection.substitutes:
-            scans = self.selection.contact_scans(surface)
-            last_scan = self.master_scan(surface, master_count)
-            surfaces_by_batch[tuple(scans)].append(surface)
-            for start in range(max(scans) + 1, last_scan + 1, len(scans)):
-                surfaces_by_batch[tuple(range(start, start + len(scans)))].append(surface)
+            numbers = self.selection.contact_scan_numbers(surface)
+            last_number = self.master_scan_number(surface, master_count)
+            surfaces_by_batch[tuple(numbers)].append(surface)
+            for start in range(max(numbers) + 1, last_number + 1, len(numbers)):
+                surfaces_by_batch[tuple(range(start, start + len(numbers)))].append(surface)
         return surfaces_by_batch
 
-    def master_scan(self, surface: str, realization: int) -> int:
+    def master_scan_number(self, surface: str, realization: int) -> int:
         """Return the number of the scan from which a master is made.
 
         In the paper's study each master of a substitute has its own scan. Other masters take scans
         in turn, and their intervals take this into account.
         """
-        scans = self.selection.contact_scans(surface)
+        numbers = self.selection.contact_scan_numbers(surface)
         is_measured = surface in self.selection.measured_surfaces
-        if realization > len(scans) and is_paper_study(self.study) and not is_measured:
-            return max(scans) + realization - len(scans)
-        return scans[(realization - 1) % len(scans)]
+        if realization > len(numbers) and is_paper_study(self.study) and not is_measured:
+            return max(numbers) + realization - len(numbers)
+        return numbers[(realization - 1) % len(numbers)]
 
     def sphere_radius(self, surface: str) -> float | None:
         """Return the radius (nm) to subtract from scans of the sphere, None for other surfaces."""
@@ -97,39 +97,43 @@ class StudyPlan:
             return []
         return [name for name in self.selection.substrates if name in measured]
 
-    def rough_bodies(self, surface: str, scan: int) -> list[ScanId]:
+    def body_scan_ids(self, surface: str, scan: int) -> list[ScanId]:
         """Return a substrate's scan, and the sphere's scan if its roughness is added."""
-        bodies = [ScanId(surface, scan)]
+        scan_ids = [ScanId(surface, scan)]
         if surface in self.combined_surfaces:
-            bodies.append(ScanId(self.selection.sphere, self.sphere_scan(surface, scan)))
-        return bodies
+            scan_ids.append(ScanId(self.selection.sphere, self.sphere_scan_number(surface, scan)))
+        return scan_ids
 
-    def sphere_scan(self, surface: str, scan: int) -> int:
+    def sphere_scan_number(self, surface: str, scan: int) -> int:
         """Return the number of the sphere's scan that meets a scan of a substrate, in turn."""
-        sphere_scans = self.selection.sphere_scans
-        return sphere_scans[self.selection.contact_scans(surface).index(scan) % len(sphere_scans)]
+        sphere_numbers = self.selection.sphere_scan_numbers
+        index = self.selection.contact_scan_numbers(surface).index(scan)
+        return sphere_numbers[index % len(sphere_numbers)]
 
     def measurement_indices(self, surface: str, scan: int) -> list[int]:
         """Return which of all scans of both bodies a contact map consists of, as indices from 0."""
-        bodies = self.rough_bodies(surface, scan)
-        all_scans = self.selection.all_scans
-        scans = [(body.surface, number) for body in bodies for number in all_scans(body.surface)]
-        return [scans.index(body) for body in bodies]
+        body_scan_ids = self.body_scan_ids(surface, scan)
+        all_scan_ids = [
+            ScanId(body.surface, number)
+            for body in body_scan_ids
+            for number in self.selection.all_scan_numbers(body.surface)
+        ]
+        return [all_scan_ids.index(scan_id) for scan_id in body_scan_ids]
 
     @property
     def positions_per_row(self) -> int:
         """Positions per row of the square array of positions on each scan of the sphere."""
         is_rough = self.selection.sphere in self.selection.surfaces  # a smooth sphere has no row
         minimum = SPHERE_POSITIONS if is_rough and not is_paper_study(self.study) else 1
-        return math.ceil(math.sqrt(minimum / len(self.selection.sphere_scans)))
+        return math.ceil(math.sqrt(minimum / len(self.selection.sphere_scan_numbers)))
 
     @property
     def sphere_positions(self) -> list[int]:
         """Numbers of the positions on the sphere: those of its scans if each has one position."""
-        scans = self.selection.sphere_scans
+        scan_numbers = self.selection.sphere_scan_numbers
         if self.positions_per_row == 1:
-            return scans
-        return list(range(1, len(scans) * self.positions_per_row**2 + 1))
+            return scan_numbers
+        return list(range(1, len(scan_numbers) * self.positions_per_row**2 + 1))
 
     @property
     def contacts_per_row_at_position(self) -> int:

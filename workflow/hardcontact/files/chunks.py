@@ -149,6 +149,6 @@ class Chunks:
             spectra = [files.sampled_spectrum_path(surface, number) for number in numbers]
         else:
             spectra = [files.spectrum_path(surface)] * len(numbers)
-        scan_numbers = [self._plan.master_scan(surface, number) for number in numbers]
+        scan_numbers = [self._plan.master_scan_number(surface, number) for number in numbers]
         scans = [files.contact_map_path(surface, scan) for scan in scan_numbers]
         return {"scans": scans, "spectra": spectra}

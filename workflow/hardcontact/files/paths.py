@@ -179,8 +179,8 @@ class SurfaceFiles:
         """Return the paths of all scans of a measured surface; none for a substitute."""
         if surface not in self.selection.measured_surfaces:
             return []
-        scans = self.selection.all_scans(surface)
-        return [self.path(self.patterns.measurements, surface, scan=scan) for scan in scans]
+        numbers = self.selection.all_scan_numbers(surface)
+        return [self.path(self.patterns.measurements, surface, scan=number) for number in numbers]
 
     def mirrored_scan_path(self, surface: str, scan: int) -> str:
         """Return the path of a mirrored scan."""
@@ -188,8 +188,8 @@ class SurfaceFiles:
 
     def mirrored_scan_paths(self, surface: str) -> list[str]:
         """Return the paths of all mirrored scans of a surface."""
-        scans = self.selection.contact_scans(surface)
-        return [self.mirrored_scan_path(surface, scan) for scan in scans]
+        numbers = self.selection.contact_scan_numbers(surface)
+        return [self.mirrored_scan_path(surface, number) for number in numbers]
 
     @property
     def first_sphere_scan_path(self) -> str:
