@@ -19,7 +19,7 @@ CONTACT = Contact(
     rho=5.6,
     work=46.3e-3,
 )
-LOADED_CONTACTS = [CONTACT, replace(CONTACT, preload=40e-6)]
+CONTACTS_BY_LOADING = [CONTACT, replace(CONTACT, preload=40e-6)]
 #: Pixels, pixel size (nm), rms height (nm), pixels of the sphere's roughness and pixels of the
 #: window. Cells of `bearing_area` divide maps and windows, or not.
 MAP_CASES = [

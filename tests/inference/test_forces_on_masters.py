@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import xarray as xr
 from direct_sum import direct_force, gap_of_bodies
-from periodic_maps import CONTACT, LOADED_CONTACTS, periodic_map, periodic_noise
+from periodic_maps import CONTACT, CONTACTS_BY_LOADING, periodic_map, periodic_noise
 from scipy.special import erf
 
 from hardcontact.base.dataset import stack
@@ -61,7 +61,7 @@ SPHERES = [None, periodic_map(periodic_noise(96, 0.5, 5), 10.0)]
 def test_the_force_on_every_filtered_master_is_the_direct_sum(sphere, side, end):
     master, cutoffs = periodic_map(periodic_noise(128, 20.0, 4), 8.0), [100.0, 400.0]
     filters = Filters(side, 160, cutoffs)
-    dataset = filtered_pull_off(master, filters, LOADED_CONTACTS, sphere).isel(radius=0, rho=0)
+    dataset = filtered_pull_off(master, filters, CONTACTS_BY_LOADING, sphere).isel(radius=0, rho=0)
     assert dataset["spectrum_end"].item() == pytest.approx(end)
     forces_by_cutoff = [dataset["unfiltered_pull_off_force"], *dataset["pull_off_force"]]
     for cutoff, forces in zip([None, *cutoffs], forces_by_cutoff, strict=True):
@@ -70,10 +70,10 @@ def test_the_force_on_every_filtered_master_is_the_direct_sum(sphere, side, end)
         pixel_size = bodies.geometry.pixel_size
         for index in np.ndindex(3, 3):
             gap = gap_of_bodies(bodies, index)
-            for loaded in LOADED_CONTACTS:
-                count = loaded.pixel_count(pixel_size)
+            for contact in CONTACTS_BY_LOADING:
+                count = contact.pixel_count(pixel_size)
                 direct_sum = direct_force(gap, count, 5.6, pixel_size)
-                force = forces.sel(loading=loaded.loading_name).values[index]
+                force = forces.sel(loading=contact.loading_name).values[index]
                 # Sums on a smooth sphere are in single precision.
                 assert force == pytest.approx(direct_sum, rel=1e-6 if sphere is None else 1e-9)
 

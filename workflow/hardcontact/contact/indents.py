@@ -54,23 +54,23 @@ def indents_of_scans(
     def make_bodies(scan: int, sphere_scan: int) -> Bodies:
         return join_bodies(substrates[scan], spheres[sphere_scan], contact)
 
-    loaded_contacts = [replace(contact, preload=preload) for preload in preloads]
+    contacts_by_loading = [replace(contact, preload=preload) for preload in preloads]
     keys = [(scan, sphere_scan) for scan in substrates for sphere_scan in spheres]
     sizes_by_scans = {
-        key: _sizes_of_bodies(make_bodies(*key), loaded_contacts)
+        key: _sizes_of_bodies(make_bodies(*key), contacts_by_loading)
         for key in progress(keys, len(keys), "sphere scans on substrate scans")
     }
     sizes = stack(sizes_by_scans, ["scan", "sphere_scan"])
     sizes = sizes.assign_coords(preload=("preload", list(preloads), NEWTON))
     key, index = _median_contact(sizes)
-    return _add_height_maps(sizes, make_bodies(*key), loaded_contacts, index).assign_attrs(
+    return _add_height_maps(sizes, make_bodies(*key), contacts_by_loading, index).assign_attrs(
         hardness=contact.hardness, sphere_radius=contact.radius
     )
 
 
-def _sizes_of_bodies(bodies: Bodies, loaded_contacts: Sequence[Contact]) -> xr.Dataset:
+def _sizes_of_bodies(bodies: Bodies, contacts_by_loading: Sequence[Contact]) -> xr.Dataset:
     """Return the sizes of indents (preload, contact_y, contact_x) of two bodies."""
-    counts = count_contact_pixels(bodies, loaded_contacts)
+    counts = count_contact_pixels(bodies, contacts_by_loading)
     gaps, offsets = all_contact_pixels(bodies, max(counts))
     array_shape = gaps.shape[:2]
     pixel_size = bodies.geometry.pixel_size
@@ -93,10 +93,13 @@ def _median_contact(sizes: xr.Dataset) -> tuple[tuple[int, int], tuple[int, int]
 
 
 def _add_height_maps(
-    sizes: xr.Dataset, bodies: Bodies, loaded_contacts: Sequence[Contact], index: tuple[int, int]
+    sizes: xr.Dataset,
+    bodies: Bodies,
+    contacts_by_loading: Sequence[Contact],
+    index: tuple[int, int],
 ) -> xr.Dataset:
     """Add maps about one contact: its indentation at every preload, and the sphere's height."""
-    counts = np.array(count_contact_pixels(bodies, loaded_contacts))
+    counts = np.array(count_contact_pixels(bodies, contacts_by_loading))
     contact_pixels = all_contact_pixels(bodies, int(counts.max()))
     steps = np.arange(-MAP_HALF_WIDTH, MAP_HALF_WIDTH + 1)
     deepest = contact_pixels.offsets[index][0]

@@ -31,25 +31,25 @@ class Filters(NamedTuple):
 def filtered_pull_off(
     master: HeightMap,
     filters: Filters,
-    loaded_contacts: Sequence[Contact],
+    contacts_by_loading: Sequence[Contact],
     sphere: HeightMap | None = None,
     radii: Sequence[float] | None = None,
     ranges: Sequence[float] | None = None,
 ) -> xr.Dataset:
     """Return forces on a master, unfiltered and at each cutoff, by radius, loading and range.
 
-    The loaded contacts differ in their loading alone. Radius and range are those of the first
+    The contacts differ in their loading alone. Radius and range are those of the first
     contact, unless `radii` and `ranges` are given.
     """
     side, pixels, cutoffs = filters
-    first_contact = loaded_contacts[0]
+    first_contact = contacts_by_loading[0]
     radii = radii or [first_contact.radius]
     ranges = ranges or [first_contact.rho]
     contacts_by_radius = [replace(first_contact, radius=radius) for radius in radii]
 
     def compute_forces(surface: HeightMap) -> np.ndarray:
         all_bodies = (join_bodies(surface, sphere, contact) for contact in contacts_by_radius)
-        forces = [forces_at_loadings(bodies, loaded_contacts, ranges) for bodies in all_bodies]
+        forces = [forces_at_loadings(bodies, contacts_by_loading, ranges) for bodies in all_bodies]
         return np.array(forces)
 
     out = np.empty((pixels, pixels), np.float32)  # A new array for each surface takes longer.
@@ -59,8 +59,10 @@ def filtered_pull_off(
     axes = ("radius", "loading", "rho", *CONTACT_AXES)
     pixel_size = master.size / pixels  # of the surfaces in contact
     spectrum_end = 2 * pixel_size if side == "short" else master.size
-    touching_areas = [loaded.pixel_count(pixel_size) * pixel_size**2 for loaded in loaded_contacts]
-    contact_areas = [loaded.area for loaded in loaded_contacts]
+    touching_areas = [
+        contact.pixel_count(pixel_size) * pixel_size**2 for contact in contacts_by_loading
+    ]
+    contact_areas = [contact.area for contact in contacts_by_loading]
     return xr.Dataset(
         {
             "unfiltered_pull_off_force": (axes, unfiltered, FORCE_ATTRS),
@@ -71,7 +73,7 @@ def filtered_pull_off(
         {
             "cutoff_wavelength": ("cutoff_wavelength", np.asarray(cutoffs, float), NM),
             "radius": ("radius", radii, NM),
-            "loading": [loaded.loading_name for loaded in loaded_contacts],
+            "loading": [contact.loading_name for contact in contacts_by_loading],
             "rho": ("rho", np.asarray(ranges, float), NM),
             **{axis: np.arange(first_contact.contacts_per_row) for axis in CONTACT_AXES},
             "contact_area": ("loading", contact_areas, {"units": "nm2"}),
