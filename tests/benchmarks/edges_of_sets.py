@@ -36,10 +36,14 @@ def claimed_edges(filtered_forces, ratio, settings):
     sampling = Sampling(settings["seed"], 0, settings["confidence"])  # no samples, only edges
     ratios = filtered_forces.drop_dims("realization").assign(filtered_force_ratio=ratio)
     edges, _ = edges_of_independent_masters(ratios, settings["tolerance"], sampling)
-    kinds = {"first": outermost_edge(edges), "mean": band_edge(edges).sel(group=MEAN_GROUP)}
+    # The ids of claims say "first" for the outermost edge, "mean" for the averaged one.
+    edges_by_suffix = {
+        "first": outermost_edge(edges),
+        "mean": band_edge(edges).sel(group=MEAN_GROUP),
+    }
     return {
-        f"{side}_edge_{kind}": edge["value"].sel(side=side).item()
-        for kind, edge in kinds.items()
+        f"{side}_edge_{suffix}": edge["value"].sel(side=side).item()
+        for suffix, edge in edges_by_suffix.items()
         for side in ("short", "long")
     }
 

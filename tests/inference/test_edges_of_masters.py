@@ -18,7 +18,7 @@ def edges_of(ratios, samples=0, confidence=0.95):
     return edges
 
 
-def test_mean_change_is_the_mean_of_absolute_changes():
+def test_averaged_change_is_the_mean_of_absolute_changes():
     increasing = [[1.0, 1.2, np.nan, np.nan], [np.nan, np.nan, 3.0, 1.0]]
     decreasing = [[1.0, 0.8, np.nan, np.nan], [np.nan, np.nan, 0.6, 1.0]]
     edges = edges_of([[increasing], [decreasing]])
@@ -31,8 +31,8 @@ def test_mean_change_is_the_mean_of_absolute_changes():
     # ln(ratio) is linear in ln(cutoff) from 10 to 100 nm, and so is the mean of |ratio - 1|.
     edge_of_a = 10 ** (1 + np.log(1.1) / np.log(1.2))
     edge_of_b = 10 ** (1 + np.log(0.9) / np.log(0.8))
-    edge_of_mean = 10 ** (1 + 0.1 / 0.2)
-    np.testing.assert_allclose(edges.edge.sel(side="short"), [edge_of_a, edge_of_b, edge_of_mean])
+    averaged_edge = 10 ** (1 + 0.1 / 0.2)
+    np.testing.assert_allclose(edges.edge.sel(side="short"), [edge_of_a, edge_of_b, averaged_edge])
     assert edges.edge_interval.isnull().all()
 
 

@@ -67,8 +67,8 @@ def _draw_smooth(axes: Axes, asperities: xr.Dataset) -> None:
 
 def _draw_long_edge(axes: Axes, edges: xr.Dataset, published_constants: pd.DataFrame) -> None:
     """Draw the long edge (µm) of the averaged change, and the published edge."""
-    mean_edge = edges.sel(side="long", group=MEAN_GROUP)
-    edge = panels.scalar_and_interval(mean_edge, "edge")
+    averaged_edge = edges.sel(side="long", group=MEAN_GROUP)
+    edge = panels.scalar_and_interval(averaged_edge, "edge")
     value, low, high = np.array([edge["value"], edge["low"], edge["high"]]) / MICROMETRE
     _, published = panels.published_band(published_constants)
     confidence = format_share(edges.attrs["confidence"])

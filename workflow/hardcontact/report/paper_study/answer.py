@@ -155,11 +155,11 @@ def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> l
     """Return the computed and the published number of a claim."""
     source: NumberSource = "computed"
     status: NumberStatus | EdgeStatus = _interval_status(row.open_end)
-    mean_edges = datasets["edges"]["edge"].sel(group=MEAN_GROUP)
+    averaged_edges = datasets["edges"]["edge"].sel(group=MEAN_GROUP)
     for side, edge_name in EDGE_NAMES.items():
         if name.startswith(edge_name):
             source = _edge_source(datasets["filtered_forces"], side, row.computed)
-        if name == edge_name and np.isnan(mean_edges.sel(side=side).item()):
+        if name == edge_name and np.isnan(averaged_edges.sel(side=side).item()):
             status = OPEN_STATUSES[side]
     if name in EDGES_WITHOUT_CAUSE:  # A shift is artificial if this edge is.
         model, index = EDGES_WITHOUT_CAUSE[name]
