@@ -176,12 +176,7 @@ def _file_type_in_words(content: bytes, types: Mapping[str, tuple[bytes, ...]]) 
 
 def _describe_unread(content: bytes, reader_messages: str) -> str:
     """Describe a file that no reader takes, and why the readers of its type do not take it."""
-    describe = _describe_zip if zipfile.is_zipfile(io.BytesIO(content)) else _describe_text
-    file_type, reader_names = describe(content)
-    if not file_type:
-        file_type = _file_type_in_words(content, TYPES_OFTEN_REFUSED)
-        matches = {reader.__name__: reader.can_read(content[:512]) for reader in readers}
-        reader_names = [name for name, match in matches.items() if match == MagicMatch.YES]
+    file_type, reader_names = _file_type_and_readers(content)
     reasons = {
         name: f"{name}: {' '.join(reason.split())[:200]}"
         for name, reason in READER_MESSAGE.findall(reader_messages)
@@ -190,6 +185,17 @@ def _describe_unread(content: bytes, reader_messages: str) -> str:
     if file_type:
         return "; ".join([file_type, *reader_reasons])
     return f"{'; '.join(reader_reasons) or 'one that none of its readers takes'}; {SAVE_AS_TEXT}"
+
+
+def _file_type_and_readers(content: bytes) -> tuple[str, list[str]]:
+    """Return the type of a file with the remedy, "" if unknown, and names of its readers."""
+    describe = _describe_zip if zipfile.is_zipfile(io.BytesIO(content)) else _describe_text
+    file_type, reader_names = describe(content)
+    if file_type:
+        return file_type, reader_names
+    matches = {reader.__name__: reader.can_read(content[:512]) for reader in readers}
+    reader_names = [name for name, match in matches.items() if match == MagicMatch.YES]
+    return _file_type_in_words(content, TYPES_OFTEN_REFUSED), reader_names
 
 
 def _describe_zip(content: bytes) -> tuple[str, list[str]]:

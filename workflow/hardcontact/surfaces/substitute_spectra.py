@@ -79,7 +79,7 @@ def scan_rms_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weig
     q_y = 2 * np.pi * np.abs(np.fft.fftfreq(pixels, pixel_size))
     q_x = q_y[: pixels // 2 + 1]
     # An entry of the transform of a real map stands for both waves of a pair of opposite q_x.
-    wave_count = np.where((q_x == 0) | (q_x == q_x.max()), 1.0, 2.0)
+    waves_per_entry = np.where((q_x == 0) | (q_x == q_x.max()), 1.0, 2.0)
     highest_q = np.hypot(q_y.max(), q_x.max())
     # Margins keep the lowest and the highest wavevector within the bins.
     edges = np.geomspace(q_x[1] * 0.999, highest_q * 1.001, BIN_COUNT + 1)
@@ -99,7 +99,7 @@ def scan_rms_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weig
             wavenumber[0, 0] = q_x[1]  # The mean height has no weight, but needs a bin.
         bin_index = np.searchsorted(edges, wavenumber.ravel()) - 1
         for k, factor in enumerate((1 - removed, squared_gradient, squared_gradient**2 / 4)):
-            weights[k] += np.bincount(bin_index, (wave_count * factor).ravel(), BIN_COUNT)
+            weights[k] += np.bincount(bin_index, (waves_per_entry * factor).ravel(), BIN_COUNT)
     return np.sqrt(edges[1:] * edges[:-1]), weights / (pixels * pixel_size) ** 2
 
 

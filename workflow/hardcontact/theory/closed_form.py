@@ -33,10 +33,11 @@ from hardcontact.theory.summits import (
 SMOOTH_SHARE = 0.9
 #: Largest number of nested generations: summits on summits on the surface.
 MAX_GENERATIONS = 8
-#: Waves shorter than this number of half-widths of a summit are roughness on it. Chosen, as the
-#: next constant: resources/validation/README.md says what other values would change.
+#: Waves shorter than this number of half-widths of a summit are roughness on it. Chosen on designed
+#: surfaces: resources/validation/README.md says what other values would change.
 MAX_WAVELENGTH_PER_HALF_WIDTH = 2.5
-#: Smallest rms height on a summit that counts as roughness, in ranges of adhesion.
+#: Smallest rms height on a summit that counts as roughness, in ranges of adhesion. Ten times this
+#: value would hardly change a force (resources/validation/README.md).
 MIN_ROUGHNESS_PER_RANGE = 0.005
 #: Number of cutoffs, from end to end of the spectrum, at which edges are looked for.
 CUTOFF_COUNT = 60

@@ -33,10 +33,11 @@ MIN_SUBTRACTED_PROBABILITY = 1e-3
 #: Poisson terms below e^-45, 3e-20, are left out of sums.
 LOG_NEGLIGIBLE_PROBABILITY = -45.0
 #: Summits at lower levels have the width of summits at this level, because such low points form no
-#: separate groups. resources/validation/README.md says what other values would change.
+#: separate groups. Chosen on designed surfaces: resources/validation/README.md says what other
+#: values would change.
 LOWEST_SUMMIT_LEVEL = 1.2
-#: A sphere follows the longest waves, up to this ratio of their rms curvature to 1/R. This value
-#: and the one before were chosen on designed surfaces (resources/validation/README.md).
+#: A sphere follows the longest waves, as long as their rms curvature is less than this share of its
+#: own, 1/R. Chosen on designed surfaces, too.
 MAX_FOLLOWED_CURVATURE = 0.1
 
 

@@ -60,7 +60,7 @@ def _draw_smallest_error(axes: Axes, fit: xr.Dataset, set_fits: xr.Dataset) -> N
     best = panels.scalar_and_interval(plastic_fit, "best_error")
     ends = [best["low"], best["high"]]
     axes.plot([plastic_fit["range_of_adhesion"]] * 2, ends, color="black", lw=1.0)
-    _mark_minima(axes, plastic_fit, "error")
+    _mark_minima(axes, plastic_fit, plastic_fit["best_error"], plastic_fit["error_at_minimum"])
     label = f"published: error below {threshold:g}"
     axes.axhline(threshold, color="0.6", lw=0.8, ls=":", zorder=0, label=label)
     axes.set(xscale="log", yscale="log", ylabel="mean relative error, least over $W$")
@@ -86,7 +86,8 @@ def _draw_error_map(axes: Axes, fit: xr.Dataset, published_constants: pd.DataFra
     _mark_published_fit(axes, published_constants)
     # The legend is made before the minima are marked, because panel a names these marks.
     axes.legend(loc="lower left", **ON_MAP)
-    _mark_minima(axes, fit, "work", style.MILLIJOULE)
+    works = fit[["work_of_adhesion", "work_at_minimum"]] / style.MILLIJOULE
+    _mark_minima(axes, fit, works["work_of_adhesion"], works["work_at_minimum"])
     axes.set(xscale="log", yscale="log", ylabel="work of adhesion $W$ (mJ/m²)")
     published_work = published_constants["value"]["work_of_adhesion"] / style.MILLIJOULE
     mapped_works = [*work[error.min("rho_fine").values < MAX_MAPPED_ERROR], published_work]
@@ -106,13 +107,15 @@ def _mark_published_fit(axes: Axes, published_constants: pd.DataFrame) -> None:
     axes.errorbar(*values, xerr=x_error, yerr=y_error, zorder=5, **PUBLISHED_FIT)
 
 
-def _mark_minima(axes: Axes, fit: xr.Dataset, ordinate: str, unit: float = 1) -> None:
-    """Mark the best fit with a star, other minima of the error with rings, at `work` or `error`."""
-    best = fit[{"work": "work_of_adhesion", "error": "best_error"}[ordinate]] / unit
+def _mark_minima(
+    axes: Axes, fit: xr.Dataset, y_of_best: xr.DataArray, y_of_minima: xr.DataArray
+) -> None:
+    """Mark the range of the best fit with a star, ranges of other minima of the error with rings.
+
+    `y_of_best` () and `y_of_minima` (minimum) are on the y axis. The minima include the best fit.
+    """
     is_other = fit["range_at_minimum"].values != fit["range_of_adhesion"].item()
-    ranges = fit["range_at_minimum"][is_other]
-    ordinates = fit[f"{ordinate}_at_minimum"][is_other]
     best_look: style.Look = {"ls": "none", "zorder": 6, "label": "best fit of the study"}
     other_look: style.Look = best_look | {"label": "other minimum of the error"}
-    axes.plot(fit["range_of_adhesion"], best, **FIT_STAR, **best_look)
-    axes.plot(ranges, ordinates / unit, **FIT_RING, **other_look)
+    axes.plot(fit["range_of_adhesion"], y_of_best, **FIT_STAR, **best_look)
+    axes.plot(fit["range_at_minimum"][is_other], y_of_minima[is_other], **FIT_RING, **other_look)

@@ -10,8 +10,9 @@ from hardcontact.base.number import Number
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.scans.both_bodies import sphere_share
 
-#: What gives a spectrum: a scan, or the description of one. Surfaces with fewer measurements than
-#: others have padding without a kind.
+#: Kinds of measurements of a spectrum in spectra.nc: scans, and those segments of the description
+#: of a substitute that come from data. Surfaces with fewer measurements than others have padding
+#: without a kind.
 MEASUREMENT_KINDS = ("map", "line scan", "description")
 #: Lengths of each measurement, in nm.
 MEASUREMENT_LENGTHS = ("size", "pixel_size", "shortest_reliable", "longest_reliable", "tip_radius")

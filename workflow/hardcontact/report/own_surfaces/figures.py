@@ -30,7 +30,7 @@ SIDE_LOOKS: dict[str, tuple[str, style.Look]] = {
     "short": ("without shorter wavelengths", {"ls": "-", "marker": "o"}),
     "long": ("without longer wavelengths", {"ls": "--", "marker": "s"}),
 }
-#: Looks of curves: the contact model of the answer first, then other models.
+#: Looks of curves: the preferred contact model first, then other models.
 MODEL_LOOKS: tuple[style.Look, ...] = ({"ls": "-"}, {"ls": "--", "mfc": "white"}, {"ls": ":"})
 KIND_COLOURS = {"map": "#332288", "line scan": "#882255", "description": "#999933"}
 UNRELIABLE_LOOK: style.Look = {"color": "#999999", "mfc": "white", "ls": "--"}
@@ -145,15 +145,15 @@ def draw_forces(datasets: Datasets) -> Figure:
     """Draw the mean force of all surfaces and contact models against the range of adhesion."""
     force = datasets.force
     labels = datasets.labels()
-    answer_model = preferred_model(force)
-    models = sorted(force["contact_model"].values.tolist(), key=lambda name: name != answer_model)
+    preferred = preferred_model(force)
+    models = sorted(force["contact_model"].values.tolist(), key=lambda name: name != preferred)
     figure, axes = _single_panel(3.4)
     ranges = force["rho"].values
     forces = panels.value_and_interval(force, "force") / style.MICRONEWTON
     for surface, surface_look in style.surface_looks(labels).items():
         for model, model_look in zip(models, MODEL_LOOKS, strict=False):
             curve = forces.sel(surface=surface, contact_model=model)
-            drawn_curve = curve if model == answer_model else curve[["value"]]
+            drawn_curve = curve if model == preferred else curve[["value"]]
             look = surface_look | model_look | {"label": f"{labels[surface]}, {model}"}
             _draw_curve(axes, ranges, drawn_curve, look)
     _finish_range_axes(figure, ranges, force.attrs["rho"], "pull-off force (µN)")
