@@ -189,7 +189,7 @@ def read_spectrum(
     tip_radius : float or None
         Radius of the tip in nm if the files do not state it. None stands for an unknown radius.
     undefined_pixels, unit, map_size, mask, levelling, sphere_radius : str, float or None
-        As for `read_scan`.
+        As for `read_scan`. By default undefined pixels are filled, as by ``hardcontact predict``.
     extrapolated : bool
         Whether to extrapolate the spectrum of scans beyond their reliable wavelengths, as a study
         does. Long waves are added up to a roll-off, short waves with the Hurst exponent of the

@@ -24,8 +24,10 @@ rule find_edges_of_masters:
         "../scripts/find_edges_of_masters.py"
 
 
+# For the published and the computed band, the parts are the waves in the band, all waves but shorter ones,
+# and all waves but longer ones.
 rule compute_band_forces:
-    """Compute forces with all waves, with a band alone, without shorter and without longer waves."""
+    """Compute forces on whole surfaces with all waves, and with parts of them."""
     input:
         **DESCRIPTION_INPUTS,
         **SUBSTITUTE_INPUTS,

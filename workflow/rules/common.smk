@@ -2,7 +2,7 @@
 #
 # Names that the rules of several files use:
 #   config         the configuration as written, with units: for records and captions
-#   STUDY          the configuration: nested dictionaries, with quantities in nm, N, Pa and J/m²
+#   STUDY          the same as numbers: nested dictionaries, with quantities in nm, N, Pa and J/m²
 #   RESULTS        the paths of the final files of the study
 #   SAMPLING       the seed, the number of random samples and the confidence of intervals
 #   IS_PAPER_STUDY whether results are compared with the paper; false for the user's surfaces
@@ -10,8 +10,8 @@
 #   PAGES          the category and the title of each page of the report
 #   ANSWER         answer.html and answer.json
 #   PUBLISHED_TABLES  the tables of the paper, by name
-# surfaces.smk defines the names that depend on the table of surfaces. Names of other files are used
-# there alone, except TARGETS of targets.smk.
+# surfaces.smk defines the names that depend on the table of surfaces. Each other file of rules uses the
+# names that it defines itself. Only the Snakefile uses one of these, too: TARGETS of targets.smk.
 
 from hardcontact.base.published import PUBLISHED_TABLES
 from hardcontact.config.configuration import is_paper_study

@@ -46,9 +46,10 @@ if PLAN.measured_scan_ids:
             "../scripts/aggregate_hindcast.py"
 
 
-#: The tests of measured scans; substitutes have none.
+#: The hindcasts of measured scans; substitutes have none.
 HINDCAST = RESULTS.dataset("hindcast") if PLAN.measured_scan_ids else []
-#: How many scans the masters share, and how forces on masters are compared.
+#: How many scans the masters of each surface share, and how many mirrored scans per row a long-edge
+#: master has, both for intervals; up to which relative change a force counts as unchanged.
 MASTER_PARAMETERS = {
     "scan_counts": {
         name: len(SELECTION.contact_scan_numbers(name)) for name in SELECTION.substrates

@@ -19,7 +19,7 @@ rule calibrate_spectrum:
 
 
 rule read_scan:
-    """Read the file of a measured scan; no other rule does."""
+    """Read the file of a measured scan. Other rules read the output, and no file of a microscope."""
     input:
         scan=lambda w: SELECTION.path(w.surface, int(w.scan)),
     output:
@@ -32,8 +32,9 @@ rule read_scan:
         "../scripts/read_scan.py"
 
 
+# Each scan counts only at its reliable wavelengths. Beyond all of them the joined spectrum is extrapolated.
 rule measure_spectrum:
-    """Join the spectra of all scans of a measured surface, each at its reliable wavelengths."""
+    """Level the scans of a measured surface, find their defects, and join their spectra."""
     input:
         measurements=lambda w: FILES.measurement_paths(w.surface),
     output:
@@ -69,7 +70,7 @@ for scan_numbers, surfaces in PLAN.scan_batches.items():
         wildcard_constraints:
             surface=any_name_pattern(surfaces),
         params:
-            # The default binds the scans of this rule, because the loop goes on before the call.
+            # Snakemake calls the function after the loop. The default keeps the scans of this rule.
             parameters=lambda w, scan_numbers=scan_numbers: dict(
                 surface=w.surface,
                 scan_numbers=scan_numbers,
@@ -103,12 +104,14 @@ rule aggregate_topography:
     input:
         scans=FILES.paths(STORE.levelled_scans, PLAN.scan_ids),
         spectra=[FILES.spectrum_path(surface) for surface in SELECTION.surfaces],
+        # How the substitutes of each surface meet Table 1.
         conditionings=[
             FILES.path(
                 STORE.conditioning, surface, scan=SELECTION.contact_scan_numbers(surface)[0]
             )
             for surface in SELECTION.substitutes
         ],
+        # The first scan of each surface, which figures show as a map.
         examples=[
             FILES.path(
                 STORE.levelled_scans, surface, scan=SELECTION.contact_scan_numbers(surface)[0]

@@ -4,6 +4,8 @@
 from hardcontact.base.published import CLAIMS
 from hardcontact.paper.claims.statements import claims_of_sets
 
+# A set samples its scans of a substrate from a pool, takes a candidate, or keeps the scans of the study.
+# It samples its masters, too: from those of the purpose `sets`, which are no part of a pool.
 SET_CHUNKS = CHUNKS.master_forces("sets")
 
 
@@ -62,13 +64,14 @@ rule sample_sets:
             pool_chunks=CHUNKS.pools,
             candidate_chunks=CHUNKS.featured_candidates,
             master_surfaces=[chunk.surface for chunk in SET_CHUNKS],
-            master_pool_size=STUDY["sets"]["masters"],  # for `hardcontact compare`
+            # Masters of each substrate from which sets choose. Only `hardcontact compare` reads it.
+            master_pool_size=STUDY["sets"]["masters"],
             loading=PLAN.contact.loading_name,
             claims=claims_of_sets(CLAIMS),
             settings={
                 "seed": STUDY["seed"],
                 "set_count": STUDY["sets"]["count"],
-                "master_count": STUDY["band"]["masters"],
+                "master_count": STUDY["band"]["masters"],  # in each set, as in the study
                 "reference_surface": STUDY["reference_surface"],
                 "tolerance": STUDY["band"]["tolerance"],
                 "confidence": STUDY["intervals"]["confidence"],

@@ -1,6 +1,10 @@
 # Single contacts: one as it separates, for Fig. 4a; elastic contacts; the indents that contacts leave in
 # the sphere; the asperities that carry the force.
 # Names in capitals that are not defined here: common.smk and surfaces.smk.
+#
+# `parameters` come from three places. A rule whose output is in the store takes SETTINGS, whose digest is
+# in the path: `elastic` and `asperities`. A rule of a final file takes CONTACT_ARGUMENTS and keys of STUDY.
+# SELECTION gives both the numbers of scans.
 
 # The paper does not say which contact Fig. 4a shows. This one is in the middle of the array on the
 # first scan of the reference surface, with the first scan of the sphere.
@@ -10,6 +14,7 @@ TRACED_CONTACT = {
     "sphere_scan": SELECTION.contact_scan_numbers(SELECTION.sphere)[0],
     "contact_index": [STUDY["contact"]["contacts_per_row"] // 2] * 2,  # row and column
 }
+#: The substrate whose contacts indent the sphere.
 INDENTING_SURFACE = STUDY["indent"]["surface"]
 #: All scans of a substrate, and for each the scan of the sphere that meets it.
 SUBSTRATE_AND_SPHERE_SCANS = {

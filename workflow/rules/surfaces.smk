@@ -3,10 +3,11 @@
 # Names that the rules of several files use, besides those of common.smk:
 #   SELECTION          the surfaces of the table, with their labels, scans and source files
 #   LABELS_AND_SOURCES the label of each surface, and whether it was measured or is a substitute
-#   PLAN               the scans, bodies and positions of contacts
+#   PLAN               what follows from keys and table together: scans, bodies and positions of contacts
 #   STORE              the path of each kind of intermediate, with wildcards in braces
 #   FILES              the paths of the files of a surface: `FILES.path` fills in the wildcards
-#   SETTINGS           the settings of each kind of intermediate: all that its rule takes from STUDY
+#   SETTINGS           the settings of each kind of intermediate: all that its rule takes from STUDY. Their
+#                      digest is in its path. Most rules of final files take single keys of STUDY instead
 #   CHUNKS             what one job computes together: some masters, whole surfaces or scans of a pool
 #   CONTACT_ARGUMENTS  the arguments of class Contact that are keys, without range and work of adhesion
 #   DESCRIPTION_INPUTS the description of a substitute, and the tables that it names

@@ -76,7 +76,11 @@ CHOICES = {"mask": MASKS, "undefined_pixels": ("refuse", "harmonic")}
 def check_read_arguments(
     files: Sequence[object], lengths: Mapping[str, object], **texts: object
 ) -> None:
-    """Refuse files that are no paths, texts that are none or none of CHOICES, lengths up to 0."""
+    """Refuse faulty arguments of functions that read files.
+
+    Files must be paths, `texts` must be texts, some of them one of CHOICES. `lengths` must be
+    positive numbers, unless they are None or "none".
+    """
     faults = [
         f"files: expected a path in each argument, found {' '.join(shorten(file).split())}"
         for file in files

@@ -57,7 +57,11 @@ def merge_overlay(config: Mapping[str, Any], overlay: Mapping[str, Any]) -> dict
 
 
 def apply_effort(config: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the configuration; at quick effort with its quick keys, and names in QUICK_SUFFIX."""
+    """Return the configuration that a run uses.
+
+    At quick effort, keys of the section `quick` replace others, and the names of study and store
+    end in QUICK_SUFFIX.
+    """
     quick = config.get("quick")
     if config.get("effort") != "quick" or not isinstance(quick, dict):
         return dict(config)
@@ -101,7 +105,12 @@ def reading_arguments(study: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def master_keys(study: Mapping[str, Any], section: str, side: str) -> dict[str, str]:
-    """Return the key of each setting of masters: in a section, or else in `band`."""
+    """Return the key of each setting of the masters of a side, by the name of the setting.
+
+    The section `sets` has only some settings; the others are in `band`. For example, on the short
+    side of `sets`, ``pixels`` is the key ``sets.short.pixels``, but ``transition`` is
+    ``band.short.transition``.
+    """
     return {
         name: f"{section_name}.{side}.{name}"
         for section_name in ("band", section)

@@ -1,8 +1,12 @@
 """Limits of keys that follow from the pixels of scans and masters, and from memory.
 
-Of each surface only the first fault of each key is reported, because one value often exceeds
-several limits. Of its scans, its contact with the sphere, and its masters of a side, only the first
-fault is reported, because later limits may assume earlier ones.
+Few faults are reported of many, so that each line tells the user something new:
+
+- Each surface has several series of limits: for its scans, for its contact with the sphere, and for
+  the masters of each side and section. Of a series only the first fault counts, because later
+  limits may assume earlier ones.
+- Of the faults that are left, a surface has one for each key, because one value often exceeds
+  several limits.
 """
 
 import math
@@ -56,7 +60,11 @@ class NamedContact(NamedTuple):
 
 
 def study_contacts(study: dict[str, Any]) -> dict[str, NamedContact]:
-    """Return, for scans, indents, band and sets, the contact that pixels and memory limit most."""
+    """Return the contact on scans, in indents, and on masters of band and sets.
+
+    Where keys give several radii, preloads or ranges, it has those that pixels and memory limit
+    most: the smallest radius, the largest preload, the shortest range.
+    """
     contact = study_contact(study)
     scan_contact = NamedContact(replace(contact, rho=study["adhesion"]["ranges"][0]))
     master_contact = NamedContact(contact, rho_key="adhesion.range")

@@ -52,10 +52,11 @@ class StudyPlan:
 
     @property
     def scan_batches(self) -> dict[tuple[int, ...], list[str]]:
-        """The substitutes that have each batch: scan numbers whose scans one job makes.
+        """The substitutes that have each batch: the numbers of scans that one job makes.
 
-        The first batch of a surface has its scans of the study. Only the paper's study has other
-        batches, each with as many more scans, for masters.
+        The first batch of a surface has its scans of the study. In the paper's study each master
+        needs its own scan, so more batches, each as large as the first, have scans for masters.
+        With 5 scans and 20 masters of sets the batches are 1 to 5, 6 to 10, 11 to 15 and 16 to 20.
         """
         master_count = max(self.study[name]["masters"] for name in ("band", "sets", "exponents"))
         surfaces_by_batch = defaultdict[tuple[int, ...], list[str]](list)

@@ -83,7 +83,11 @@ class UserTable(NamedTuple):
             )
 
     def map_rows(self, function: Callable[[Row], Result]) -> dict[int, Result]:
-        """Return the results of a function of each row, by line; refuse each kind of fault once."""
+        """Return the results of a function of each row, by line; refuse a table with faulty rows.
+
+        Faults that differ only in what was found are one line of the message, which names the first
+        row and counts the others.
+        """
         results = dict[int, Result]()
         faults = dict[str, list[tuple[int, str]]]()
         for line, cells in self.cells.items():

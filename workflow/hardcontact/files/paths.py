@@ -105,7 +105,11 @@ class StudyPaths:
         return f"{self.results}/report/{name}.html"
 
     def run_file(self, folder: str, suffix: str, rule: str, output: str) -> str:
-        """Return the path of the log or benchmark of a rule, with the wildcards of its output."""
+        """Return the path of the log or benchmark of a rule, with the wildcards of its output.
+
+        For the log of rule compute_pool, ``results/store/pool/{radius}/scans.nc`` becomes
+        ``results/store/logs/compute_pool/{radius}/scans.log``.
+        """
         if "{" not in output:
             return f"{self.results}/{folder}/{rule}{suffix}"
         root = self.store if output.startswith(f"{self.store}/") else self.results

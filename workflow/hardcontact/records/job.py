@@ -33,7 +33,7 @@ class Job(NamedTuple):
 
     input: Any  #: Paths, by position or by name in the rule.
     output: Any  #: Paths, likewise.
-    parameters: dict[str, Any]  #: The rule's `params.parameters`, as JSON would keep them.
+    parameters: dict[str, Any]  #: The rule's `params.parameters` as JSON: tuples are lists.
     origin: Origin
 
     def write(self, results: xr.Dataset, title: str, output: int | str = 0) -> None:
@@ -55,7 +55,11 @@ class Job(NamedTuple):
 
 @contextmanager
 def run_job(snakemake: Any) -> Iterator[Job]:
-    """Log a script, yield its `Job`, and keep records of its outputs; refuse changed inputs."""
+    """Run the block of a script as a job: log it, yield its `Job`, keep records of its outputs.
+
+    Inputs are refused if somebody changed them after a job had written them, or if they change
+    while the block runs.
+    """
     # Jobs make hardly any reference cycles; looking for them takes a twentieth of their time.
     gc.disable()
     try:

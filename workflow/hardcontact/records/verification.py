@@ -14,6 +14,7 @@ RUN_FOLDERS = ("logs", "benchmarks")
 def traced_records(folder: str | Path) -> dict[str, Record]:
     """Return the records, by path, of ``results/<study>`` and of all files that led to it."""
     records: dict[str, Record] = {}
+    # The record of F/fit.nc is F/.origin/fit.nc.json.
     pending = [
         (path.parents[1] / path.stem).as_posix()
         for path in sorted(Path(folder).rglob(f"{RECORDS}/*.json"))

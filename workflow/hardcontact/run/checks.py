@@ -36,9 +36,11 @@ RELIEF_OVER_RMS = 4.5
 
 
 def check_study(study: dict[str, Any], table: pd.DataFrame) -> None:
-    """Refuse a study that would fail in a job; scans that the sphere touches are read last.
+    """Refuse a study that would fail in a job.
 
-    `study` is the configuration as numbers, `table` the table of surfaces with a row a scan.
+    `study` is the configuration as numbers, `table` the table of surfaces with a row a scan. Names,
+    tables and descriptions are checked first. Then the scans with contacts are read, because their
+    pixels, size and relief limit keys.
     """
     find_faults = _paper_faults if is_paper_study(study) else _own_surface_faults
     faults = _substitute_faults(study, table) + find_faults(study, table)
@@ -68,7 +70,7 @@ def _substitute_faults(study: dict[str, Any], table: pd.DataFrame) -> list[str]:
 
 
 def _name_faults(study: dict[str, Any], key: str, surfaces: list[str]) -> list[str]:
-    """Return the fault of a key whose value is not one of the surfaces."""
+    """Return a line if the value of a key is not one of the surfaces."""
     if get_key(study, key) in surfaces:
         return []
     accepted = f"a surface of the table ({', '.join(surfaces)})"
@@ -114,7 +116,7 @@ def _substrate_faults(substrates: list[str]) -> Iterator[str]:
 
 
 def _pool_size_faults(study: dict[str, Any], contacts: pd.DataFrame) -> Iterator[str]:
-    """Yield the fault if the pool of a coating holds fewer scans than the study uses."""
+    """Yield the fault if a pool holds fewer scans than a set takes: as many as the study has."""
     pool_size = study["sets"]["pool_size"]
     scan_counts = contacts.surface[contacts.source == "substitute"].value_counts(sort=False)
     if len(scan_counts) and scan_counts.max() > pool_size:
@@ -123,7 +125,11 @@ def _pool_size_faults(study: dict[str, Any], contacts: pd.DataFrame) -> Iterator
 
 
 def _own_surface_faults(study: dict[str, Any], table: pd.DataFrame) -> list[str]:
-    """Return the faults of a study of the user's surfaces; scans with contacts are read later."""
+    """Return the faults of a study of the user's surfaces, but not those of scans with contacts.
+
+    They are faults of the sphere's name, of scans that only enter the spectrum, and of measured
+    forces. `check_study` reads the scans with contacts itself.
+    """
     sphere = study["sphere"]["surface"]
     makes_contact = table.use == CONTACT_USE
     faults: list[str] = []

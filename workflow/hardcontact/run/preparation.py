@@ -62,7 +62,11 @@ def prepare_run(workflow: Any) -> None:
 
 
 def _refuse_elsewhere(workflow: Any) -> None:
-    """Refuse another clone's library, use as a module, and another working directory."""
+    """Refuse a run in another folder than the top folder of the clone whose library is installed.
+
+    The rules and the main Snakefile must be in this clone, too: no other workflow can use the rules
+    as a module.
+    """
     rules_folder = Path(workflow.current_basedir.get_path_or_uri(secret_free=True)).resolve()
     snakefile = Path(workflow.main_snakefile).resolve()
     working_folder = Path.cwd().resolve()
@@ -92,12 +96,13 @@ def plans_the_run(workflow: Any) -> bool:
 
 
 def complete_rules(workflow: Any, paths: StudyPaths) -> None:
-    """Give each rule with a script a log and, if it writes files, a benchmark and its code.
+    """Add to each rule with a script a log and, if it writes files, a benchmark and its code.
 
-    The code, a script and the modules that it imports, is an input, so that changed code reruns.
+    The input `code` is the script and the modules that it imports, so that changed code makes the
+    outputs again. `workflow/README.md` shows a rule as written and as run.
     """
     for rule in workflow.rules:
-        if rule.norun:
+        if rule.norun:  # It has no script, only inputs.
             continue
         # What Snakemake itself does for the directives `log` and `benchmark`.
         rule.log_modifier = rule.benchmark_modifier = workflow.modifier.path_modifier

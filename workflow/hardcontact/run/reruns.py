@@ -44,7 +44,12 @@ class Changes(NamedTuple):
 class Reruns:
     """Finds what changed since the files of a run were made; jobs are Snakemake's.
 
-    The lineage of a file is one digest of all that leads to it.
+    A file is made again if a parameter, a version or the content of an input is not as its record
+    says. An input may be missing, because somebody deleted the store. Then there is no content to
+    compare, but there are lineages. The lineage of a file is one digest of its parameters, of the
+    versions and of the lineages of its inputs, back to files that no job makes. So the lineage that
+    a file would have now follows from these files and from parameters alone. If it is as recorded,
+    the missing input would be the same as before, and the file need not be made again.
     """
 
     def __init__(self, dependencies: Mapping[Any, Mapping[Any, Iterable[str]]]) -> None:
@@ -119,7 +124,7 @@ def _complete_record(path: str) -> Record | None:
 
 
 def _file_lineage(path: str) -> str:
-    """Return the lineage of a file that no job of the run makes."""
+    """Return the lineage of a file that no job of the run makes: as recorded, else its SHA-256."""
     record = _complete_record(path)
     return record.lineage if record else file_digest(path)
 
@@ -180,7 +185,11 @@ async def _no_time(job: Any) -> None:
 
 
 def _recorded_change(persistence: Any, job: Any, file: str | None = None) -> ParamsChange:
-    """Return changed parameters of a job or of one of its files; add changed inputs to reasons."""
+    """Return the changed parameters and versions of a job, or of one of its files.
+
+    This takes the place of `PersistenceBase.params_changed`. Changed inputs have no field in its
+    result, so they are added to the reasons of the job, which `snakemake -n` lists.
+    """
     paths = [path for path in ([file] if file else job.output) if os.path.isfile(path)]
     reruns = _reruns(persistence.dag)
     changes_of_files = [reruns.changes(job, path) for path in paths]

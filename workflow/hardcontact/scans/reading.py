@@ -43,14 +43,20 @@ MAX_MESSAGE_LENGTH = 2000
 
 
 class ReadingOptions(NamedTuple):
-    """How scans are read; tip radius, unit and size serve files that state none."""
+    """How scans are read; tip radius, unit and size serve files that state none.
+
+    Undefined pixels are filled by default, because commands, which use these options, print how
+    many they fill; `hardcontact new` writes the key `scan.undefined_pixels` into the study, too.
+    The defaults of this key and of `read_scan` refuse undefined pixels, because filled ones are
+    smoother than the surface. `api.read_spectrum` fills them as `hardcontact predict` does.
+    """
 
     tip_radius: float | None = None  #: In nm.
     unit: str = "none"  #: Unit of length, or units of positions and of heights.
     map_size: float | str = "none"  #: Longer side in nm.
     levelling: str = "plane"  #: One of LEVELLING_METHODS.
     mask: str = "keep"  #: One of MASKS.
-    undefined_pixels: str = "harmonic"  #: It fills them; "refuse" refuses the scan.
+    undefined_pixels: str = "harmonic"  #: Fills gaps; "refuse" refuses a scan with gaps.
 
     def read_scan(self, path: str | Path, dataset: str) -> HeightMap:
         """Read a scan, not levelled; later steps use the tip radius and the levelling."""
