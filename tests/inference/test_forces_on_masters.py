@@ -65,8 +65,8 @@ def test_the_force_on_every_filtered_master_is_the_direct_sum(sphere, side, end)
     assert dataset["spectrum_end"].item() == pytest.approx(end)
     forces_by_cutoff = [dataset["unfiltered_pull_off_force"], *dataset["pull_off_force"]]
     for cutoff, forces in zip([None, *cutoffs], forces_by_cutoff, strict=True):
-        (surface,) = filtered_series(master, side, [cutoff], 160)
-        bodies = join_bodies(surface, sphere, CONTACT)
+        (substrate,) = filtered_series(master, side, [cutoff], 160)
+        bodies = join_bodies(substrate, sphere, CONTACT)
         pixel_size = bodies.geometry.pixel_size
         for index in np.ndindex(3, 3):
             gap = gap_of_bodies(bodies, index)

@@ -283,8 +283,8 @@ def pull_off_forces(
     ranges: Any = [rho] if np.isscalar(rho) else rho
     check_positive_numbers("rho", ranges)
     ranges = [float(rho_value) for rho_value in ranges]
-    surface, rough_sphere = _periodic_maps(scan, sphere, contact, ranges)
-    bodies = join_bodies(surface, rough_sphere, contact)
+    substrate, periodic_sphere = _periodic_maps(scan, sphere, contact, ranges)
+    bodies = join_bodies(substrate, periodic_sphere, contact)
     forces = pull_off_dataset(bodies, contact, ranges)
     if scan.periodic:
         forces = forces.drop_vars("touched_patches")
@@ -300,10 +300,10 @@ def _periodic_maps(
     scan: HeightMap, sphere: HeightMap | None, contact: Contact, ranges: Sequence[float]
 ) -> tuple[HeightMap, HeightMap | None]:
     """Return the periodic maps of both bodies; refuse a contact on them beyond the limits."""
-    surface = make_periodic(scan)
-    rough_sphere = None if sphere is None else make_periodic(sphere, "sphere")
-    check_contact(surface, contact, ranges)
-    return surface, rough_sphere
+    substrate = make_periodic(scan)
+    periodic_sphere = None if sphere is None else make_periodic(sphere, "sphere")
+    check_contact(substrate, contact, ranges)
+    return substrate, periodic_sphere
 
 
 def force_ratios(
@@ -366,13 +366,13 @@ def force_ratios(
     check_quantities(**quantities, rho=rho)
     check_tolerance(tolerance)
     contact = Contact(**quantities, rho=rho, window=window, contacts_per_row=contacts_per_row)
-    surface, rough_sphere = _periodic_maps(scan, sphere, contact, [rho])
-    check_cutoffs(cutoffs, surface)
+    substrate, periodic_sphere = _periodic_maps(scan, sphere, contact, [rho])
+    check_cutoffs(cutoffs, substrate)
     forces = {}
     for side, side_cutoffs in cutoffs.items():
         wavelengths = sorted({float(wavelength) for wavelength in side_cutoffs})
-        filters = Filters(side, surface.pixels, wavelengths)
-        side_forces = filtered_pull_off(surface, filters, [contact], rough_sphere)
+        filters = Filters(side, substrate.pixels, wavelengths)
+        side_forces = filtered_pull_off(substrate, filters, [contact], periodic_sphere)
         forces[(side,)] = side_forces.isel(radius=0, loading=0, rho=0, drop=True)
     ratios = add_force_ratios(stack(forces, ["side"]))[["filtered_force_ratio"]]
     edges = edges_of_ratios(ratios, tolerance)[["edge", "edge_status", "edge_bound"]]

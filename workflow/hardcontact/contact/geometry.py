@@ -1,4 +1,4 @@
-"""The sphere over a surface: its paraboloid, the array of contacts, their gaps in a window.
+"""The sphere over a substrate: its paraboloid, the array of contacts, their gaps in a window.
 
 The reference gap of a pixel is g = y - u - z in nm: the height y of the sphere, less its roughness
 u (positive towards the substrate) and the height z of the substrate. If the apex is at the height

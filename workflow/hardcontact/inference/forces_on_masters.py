@@ -24,7 +24,7 @@ class Filters(NamedTuple):
     """The filters of one side."""
 
     side: str  #: short: wavelengths below the cutoff are removed; long: wavelengths above it.
-    pixels: int  #: Pixels per row of the surfaces in contact.
+    pixels: int  #: Pixels per row of the substrates in contact.
     cutoffs: Sequence[float]  #: In nm.
 
 
@@ -47,17 +47,17 @@ def filtered_pull_off(
     ranges = ranges or [first_contact.rho]
     contacts_by_radius = [replace(first_contact, radius=radius) for radius in radii]
 
-    def compute_forces(surface: HeightMap) -> np.ndarray:
-        all_bodies = (join_bodies(surface, sphere, contact) for contact in contacts_by_radius)
+    def compute_forces(substrate: HeightMap) -> np.ndarray:
+        all_bodies = (join_bodies(substrate, sphere, contact) for contact in contacts_by_radius)
         forces = [forces_at_loadings(bodies, contacts_by_loading, ranges) for bodies in all_bodies]
         return np.array(forces)
 
-    out = np.empty((pixels, pixels), np.float32)  # A new array for each surface takes longer.
-    surfaces = filtered_series(master, side, [None, *cutoffs], pixels, out)
-    surface_forces = (compute_forces(surface) for surface in surfaces)
-    unfiltered, *filtered = progress(surface_forces, 1 + len(cutoffs), "cutoffs")
+    out = np.empty((pixels, pixels), np.float32)  # A new array for each substrate takes longer.
+    substrates = filtered_series(master, side, [None, *cutoffs], pixels, out)
+    all_forces = (compute_forces(substrate) for substrate in substrates)
+    unfiltered, *filtered = progress(all_forces, 1 + len(cutoffs), "cutoffs")
     axes = ("radius", "loading", "rho", *CONTACT_AXES)
-    pixel_size = master.size / pixels  # of the surfaces in contact
+    pixel_size = master.size / pixels  # of the substrates in contact
     spectrum_end = 2 * pixel_size if side == "short" else master.size
     touching_areas = [
         contact.pixel_count(pixel_size) * pixel_size**2 for contact in contacts_by_loading

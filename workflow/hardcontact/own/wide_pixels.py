@@ -24,13 +24,13 @@ def widen_pixels(surface: HeightMap) -> HeightMap:
 
 
 def forces_by_pixel_width(
-    surface: HeightMap, sphere: HeightMap | None, contact: Contact
+    substrate: HeightMap, sphere: HeightMap | None, contact: Contact
 ) -> xr.Dataset:
     """Return ``scan_force`` and ``wide_pixel_force`` (contact_y, contact_x) in N at 1 J/m²."""
     wide_sphere = None if sphere is None else widen_pixels(sphere)
     forces = {
-        "scan_force": make_force_function(contact, sphere)(surface),
-        "wide_pixel_force": make_force_function(contact, wide_sphere)(widen_pixels(surface)),
+        "scan_force": make_force_function(contact, sphere)(substrate),
+        "wide_pixel_force": make_force_function(contact, wide_sphere)(widen_pixels(substrate)),
     }
     return xr.Dataset({name: (CONTACT_AXES, force, FORCE_ATTRS) for name, force in forces.items()})
 
