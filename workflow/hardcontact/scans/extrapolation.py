@@ -72,45 +72,72 @@ class HurstFit(NamedTuple):
 
 
 def fit_hurst_exponent(wavevector: Floats, density: Floats, variance: Floats) -> HurstFit:
-    """Return the Hurst exponent of the shortest decade, or of three bins: its posterior mean.
+    """Return the Hurst exponent H of the shortest decade, or of three bins if they are wider.
 
-    `variance` is of ln C. For each roll-off and SHARPNESS, a weighted regression gives H. The prior
-    is uniform in the logarithm of the roll-off, in SHARPNESS, and in H from 0 to 1.
+    `variance` is of ln C. Far below the roll-off wavelength C_iso falls as q^(-2 - 2H), near it
+    less steeply: at a third of a gradual roll-off, H = 0.8 looks like 0.62. The roll-off is not
+    known, so H is fitted for many cases, each a roll-off with a SHARPNESS. The result is the
+    posterior mean of H over all cases. A priori H is uniform from 0 to 1, and so are the logarithm
+    of the roll-off and SHARPNESS.
     """
     is_fitted = wavevector >= wavevector[-1] / 10 * (1 - 1e-9)
     is_fitted[-MIN_BINS:] = True
     q = wavevector[is_fitted]
-    log_density = np.log(density[is_fitted])
-    weight = 1 / variance[is_fitted]
+    exponents, errors, probability = _fit_cases(
+        _falls_of_cases(q), np.log(density[is_fitted]), 1 / variance[is_fitted]
+    )
+    exponent, exponent_variance = _truncated_moments(exponents, errors, probability)
+    error = np.sqrt(exponent_variance + HURST_SCATTER**2)
+    return HurstFit(float(exponent), float(error), *(2 * np.pi / q[[-1, 0]]).tolist())
+
+
+def _falls_of_cases(q: Floats) -> Floats:
+    """Return ln C (case, bins) relative to the plateau at long waves, if H = 0.
+
+    With another H it is (1 + H) times this fall. A case is a roll-off with a SHARPNESS.
+    """
     rolloffs = np.geomspace(ROLLOFF_BOUNDS[0] * q[0], ROLLOFF_BOUNDS[1] * q[-1], ROLLOFF_COUNT)
     sharpness = np.array(SHARPNESS)[:, None, None]
-    # With these falls, ln C = (1 + H) fall + constant.
     falls = -np.log1p((q / rolloffs[:, None]) ** (2 * sharpness)) / sharpness
-    falls = falls.reshape(-1, len(q))
-    total = weight.sum()
-    centred = falls - (falls @ weight)[:, None] / total
+    return np.asarray(falls.reshape(-1, len(q)))
+
+
+def _fit_cases(falls: Floats, log_density: Floats, weight: Floats) -> tuple[Floats, Floats, Floats]:
+    """Return Hurst exponents, their standard errors and the probability of each case: (case,).
+
+    ln C = (1 + H) fall + constant is a straight line over the fall, so that a weighted regression
+    gives 1 + H. The probability of a case is exp(-chi²/2) times the error of H, because H may have
+    all values within its error.
+    """
+    total_weight = weight.sum()
+    centred = falls - (falls @ weight)[:, None] / total_weight
     spread = centred**2 @ weight
     slopes = centred @ (weight * log_density) / spread
-    residuals = log_density - log_density @ weight / total - slopes[:, None] * centred
-    log_evidence = -(residuals**2 @ weight) / 2 - np.log(spread) / 2
-    probability = np.exp(log_evidence - log_evidence.max())
+    residuals = log_density - log_density @ weight / total_weight - slopes[:, None] * centred
+    log_probability = -(residuals**2 @ weight) / 2 - np.log(spread) / 2
+    probability = np.exp(log_probability - log_probability.max())
     probability /= probability.sum()
-    exponent, variance_of_mean = _truncated_moments(slopes - 1, 1 / np.sqrt(spread), probability)
-    error = np.sqrt(variance_of_mean + HURST_SCATTER**2)
-    return HurstFit(float(exponent), float(error), *(2 * np.pi / q[[-1, 0]]).tolist())
+    return slopes - 1, 1 / np.sqrt(spread), probability
 
 
 def _truncated_moments(
     exponents: Floats, errors: Floats, probability: Floats
 ) -> tuple[Floats, Floats]:
-    """Return mean and variance of a mixture of normal exponents (case,), truncated to 0 to 1.
+    """Return mean and variance of H, if each case (case,) has a normal distribution of H.
 
-    With less than MIN_TRUNCATED_PROBABILITY within 0 to 1, the mean is clipped.
+    The distributions are truncated to 0 to 1, because no self-affine surface has another H: 0.9 ±
+    0.2 becomes 0.80 ± 0.14. With the density p and the distribution P of the standard normal, a
+    case truncated to `low` to `high`, in standard errors, has
+
+        shift = (p(low) - p(high)) / (P(high) - P(low)),  mean = exponent + error shift.
+
+    If less than MIN_TRUNCATED_PROBABILITY lies within 0 to 1, the mean is not truncated, but
+    clipped.
     """
     low, high = -exponents / errors, (1 - exponents) / errors
     share_within = scipy.special.ndtr(high) - scipy.special.ndtr(low)
-    total = probability @ share_within
-    if total < MIN_TRUNCATED_PROBABILITY:
+    probability_within = probability @ share_within
+    if probability_within < MIN_TRUNCATED_PROBABILITY:
         mean = probability @ exponents
         return np.clip(mean, 0, 1), probability @ (errors**2 + (exponents - mean) ** 2)
     mixture = np.array([low, high, exponents, errors, share_within, probability])
@@ -123,7 +150,8 @@ def _truncated_moments(
     variances = errors**2 * (
         1 + (low * low_density - high * high_density) / share_within - shift**2
     )
-    weight = probability * share_within / total
+    # The variance of a mixture: the mean variance of its cases, plus the variance of their means.
+    weight = probability * share_within / probability_within
     mean = weight @ means
     return mean, weight @ (variances + (means - mean) ** 2)
 
@@ -154,18 +182,26 @@ def is_tail_known(tail: Tail) -> bool:
 def extrapolate_short_waves(
     wavevector: Floats, density: Floats, fit: HurstFit, hurst_deviation: float = 0.0
 ) -> tuple[Floats, Tail]:
-    """Return C_iso (nm⁴) on WAVEVECTORS from at least three measured points, and its tail."""
+    """Return C_iso (nm⁴) on WAVEVECTORS from at least three measured points, and its tail.
+
+    The tail continues the measured C_iso as q^(-2 - 2H) to shorter waves, until `_find_tail_end`
+    ends it. `hurst_deviation` is added to the fitted H. If the measured waves already exceed a
+    bound, there is no tail.
+    """
     # The highest measured wavevector may exceed the highest of WAVEVECTORS by rounding.
     interpolated = Spectrum(wavevector, density)(np.minimum(WAVEVECTORS, wavevector[-1]))
     measured_density = np.where(wavevector[-1] * (1 + 1e-9) >= WAVEVECTORS, interpolated, 0.0)
     exponent = float(np.clip(fit.exponent + hurst_deviation, 0, 1))
-    # The tail starts at the geometric mean of the last MIN_BINS points, all moved along the tail.
+    # One point scatters, so the tail starts at the geometric mean of the last MIN_BINS points. Each
+    # is first moved to the last wavevector along the slope of the tail.
     relative_wavevector = wavevector[-MIN_BINS:] / wavevector[-1]
-    fall = 2 + 2 * exponent
-    start_density = np.exp(np.mean(np.log(density[-MIN_BINS:] * relative_wavevector**fall)))
+    tail_slope = -2 - 2 * exponent
+    start_density = np.exp(np.mean(np.log(density[-MIN_BINS:] * relative_wavevector**-tail_slope)))
     last_index = measured_density.nonzero()[0][-1]
     tail_start = measured_density.copy()
-    tail_start[last_index] = start_density * (WAVEVECTORS[last_index] / wavevector[-1]) ** -fall
+    tail_start[last_index] = (
+        start_density * (WAVEVECTORS[last_index] / wavevector[-1]) ** tail_slope
+    )
     spectrum = measured_density + power_law_tail(tail_start, exponent, ATOMIC_WAVELENGTH)
     end_index, ended_by = _find_tail_end(spectrum)
     spectrum = np.where(np.arange(len(WAVEVECTORS)) <= max(end_index, last_index), spectrum, 0.0)
@@ -214,7 +250,12 @@ def share_after_levelling(wavevector: Floats, size: float, kind: str) -> Floats:
 
 
 class RolloffEvidence:
-    """The variance of heights of the widest scans of a surface, as evidence of the roll-off."""
+    """The variance of heights of the widest scans of a surface, as evidence of the roll-off.
+
+    Waves above the longest measured wavelength still raise the variance of the levelled heights a
+    little. A longer roll-off has more such waves, so the measured variance tells which roll-offs
+    are probable.
+    """
 
     def __init__(
         self, scans: Sequence[HeightMap], densities: Floats, bands: Sequence[ReliableBand]
@@ -239,25 +280,36 @@ class RolloffEvidence:
     def rolloff_quantile(
         self, density: Floats, longest: float, slope: float, probability: float
     ) -> float:
-        """Return a quantile of the roll-off wavelength (nm); `longest` if C_iso does not rise."""
+        """Return a quantile of the roll-off wavelength (nm): the median if `probability` is 0.5.
+
+        From the `longest` measured wavelength, C_iso continues with d ln C/d ln q = `slope`. Unless
+        it rises toward long waves, it has no roll-off, and the quantile is `longest`.
+        """
         if slope >= 0:
             return longest
-        # Roll-offs have a prior uniform in their logarithm.
+        # A priori the logarithm of the roll-off is uniform, so that the posterior of these
+        # roll-offs is proportional to their likelihoods.
         rolloffs = np.geomspace(longest, MAX_ROLLOFF_OVER_SIZE * self._size, ROLLOFF_COUNT)
         spectra = (extrapolate_long_waves(density, longest, slope, rolloff) for rolloff in rolloffs)
         log_likelihoods = np.array([self._log_likelihood(spectrum) for spectrum in spectra])
         posterior = np.exp(log_likelihoods - log_likelihoods.max())
+        # Half of the probability of a roll-off counts as below it.
         cumulative = (np.cumsum(posterior) - posterior / 2) / posterior.sum()
         return float(np.exp(np.interp(probability, cumulative, np.log(rolloffs))))
 
     def _log_likelihood(self, density: Floats) -> float:
-        """Return the logarithm of the likelihood of the measured variance, up to a constant."""
+        """Return the logarithm of the likelihood of the measured variance, up to a constant.
+
+        With C_iso `density`, the mean variance of heights over the scans is a gamma variable. Its
+        mean is the expected variance: what levelling leaves of all waves, and noise. Its relative
+        variance is 1/shape.
+        """
         variance_per_log = density * WAVEVECTORS**2 * self._share_after_levelling / (2 * np.pi)
-        expected_variance = np.trapezoid(variance_per_log, LOG_WAVEVECTORS) + self._noise_variance(
-            density
-        )
+        expected_variance = np.trapezoid(variance_per_log, LOG_WAVEVECTORS)
+        expected_variance += self._noise_variance(density)
         variance_of_variance = np.trapezoid(variance_per_log**2 / self._mode_count, LOG_WAVEVECTORS)
-        # The powers of N modes add up to a gamma variable of relative variance 1/N.
+        # The power of n modes has the relative variance 1/n, and varies independently per ln q.
+        # Scans are independent, too.
         shape = expected_variance**2 / variance_of_variance * self._scan_count
         scale = expected_variance / shape
         ratio = self._variance / scale
@@ -266,7 +318,10 @@ class RolloffEvidence:
         )
 
     def _noise_variance(self, density: Floats) -> float:
-        """Return the variance of heights (nm²) from noise, the excess of unreliable short waves."""
+        """Return the variance of heights (nm²) from noise.
+
+        Noise is what the measured C_iso has above `density` at waves too short to be reliable.
+        """
         excess = self._measured_density - np.interp(BIN_CENTRES, WAVEVECTORS, density)
         excess_per_log = (np.maximum(excess, 0) * BIN_CENTRES**2)[self._is_unreliable]
         return float(excess_per_log.sum() * BIN_WIDTH / (2 * np.pi))
