@@ -74,7 +74,11 @@ class _Curve(NamedTuple):
 
 
 def _mean_bins(reliable: NDArray[np.bool_], density: Floats, modes: Floats) -> _MeanBins:
-    """Return the mean over scans of their reliable C_iso (scan, bins) in nm⁴."""
+    """Return the mean over scans of their reliable C_iso (scan, bins) in nm⁴.
+
+    In each bin a scan has the weight 1/variance of its ln C. This variance is smaller the more
+    modes the bin holds, but at least that of the calibration.
+    """
     mode_variance = variance_of_log(modes)
     weight = np.where(reliable, 1 / (mode_variance + CALIBRATION_SCATTER**2), 0.0)
     logs = np.where(reliable, np.log(density) + bias_of_log(modes), 0.0)
@@ -88,16 +92,24 @@ def _mean_bins(reliable: NDArray[np.bool_], density: Floats, modes: Floats) -> _
 
 
 def _find_peaks(density: Floats, variance: Floats, arithmetic_mean: Floats) -> NDArray[np.bool_]:
-    """Return the mask (bins,) of peaks: more power than a smooth spectrum has by chance."""
-    inner = np.flatnonzero(np.isfinite(density))[1:-1]  # An end bin cannot be a peak.
+    """Return the mask (bins,) of peaks: more power than a smooth spectrum has by chance.
+
+    A smooth curve through `density` gives the mean that each bin should have. A mean over n modes,
+    relative to the mean that it should have, is a gamma variable of shape n and mean one. With the
+    probability PEAK_PROBABILITY one mode exceeds it 9.2 times, the mean over ten modes 2.6 times.
+    A peak also lifts the curve, which hides others. So each round leaves out the peaks found so
+    far, until a round finds none.
+    """
+    inner = np.flatnonzero(np.isfinite(density))[1:-1]  # The curve must reach both end bins.
     modes = 1 / variance[inner] + 0.5  # inverts the variance, trigamma(n) ≈ 1/(n - 0.5)
     is_peak = np.zeros(len(density), bool)
     while True:
         curve = smooth_curve(np.where(is_peak, np.nan, density), variance)
         smooth_density = Spectrum(curve.wavevector, curve.density)(BIN_CENTRES[inner])
-        # The power of n modes over its mean is a gamma variable.
-        chance = scipy.special.gammaincc(modes, modes * arithmetic_mean[inner] / smooth_density)
-        new_peaks = inner[(chance < PEAK_PROBABILITY) & ~is_peak[inner]]
+        probability = scipy.special.gammaincc(
+            modes, modes * arithmetic_mean[inner] / smooth_density
+        )
+        new_peaks = inner[(probability < PEAK_PROBABILITY) & ~is_peak[inner]]
         if not len(new_peaks):
             return is_peak
         is_peak[new_peaks] = True
@@ -106,25 +118,38 @@ def _find_peaks(density: Floats, variance: Floats, arithmetic_mean: Floats) -> N
 def smooth_curve(
     density: Floats, variance: Floats, rng: np.random.Generator | None = None
 ) -> _Curve:
-    """Return a smooth curve through bins and gaps; with `rng`, a sample of the posterior.
+    """Return a smooth curve through bins and across gaps; with `rng`, a random such curve.
 
-    C_iso (bins,) is NaN in gaps. The slope d ln C/d ln q is a Wiener process, so that the posterior
-    mean is a smoothing spline (Wahba, J. R. Stat. Soc. B 40 (1978) 364).
+    C_iso (bins,) is NaN in gaps, `variance` is of ln C. The curve f should lie near ln C, but bend
+    little. A bend is the change of the slope df/d ln q from one bin to the next, and has the
+    standard deviation `bend_std`. With weight = 1/variance, or 0 in gaps, f minimizes
+
+        sum(weight * (ln C - f)²) + sum((scaled_bends @ f)²),
+
+    so that f = covariance @ (weight * ln C). In eleven bins of one mode each, ln C scatters by 1.3,
+    the curve in the middle by 0.5.
+
+    In the words of Bayes, bends are independent and normal: the slope is a Wiener process. Then f
+    is the posterior mean, `covariance` its covariance, and a random curve is a sample of the
+    posterior (Wahba, J. R. Stat. Soc. B 40 (1978) 364).
     """
     finite = np.flatnonzero(np.isfinite(density))
     measured_range = slice(finite[0], finite[-1] + 1)
     weight = np.where(np.isfinite(density), 1 / variance, 0.0)[measured_range]
     count = len(weight)
-    slope_change = SLOPE_CHANGE * np.sqrt(BIN_WIDTH / np.log(10))  # from bin to bin
-    bends = np.diff(np.eye(count), n=2, axis=0) / (BIN_WIDTH * slope_change)
-    covariance = np.linalg.inv(np.diag(weight) + bends.T @ bends)
-    logs = np.log(np.where(weight > 0, density[measured_range], 1.0))
-    prior = np.zeros(count)
-    if rng is not None:  # A prior sample, plus the posterior mean of its distance to the data.
-        prior = BIN_WIDTH * np.cumsum(np.cumsum(slope_change * rng.standard_normal(count)))
-        noise = np.where(weight > 0, np.sqrt(variance[measured_range]), 0.0)
-        logs = logs - prior - noise * rng.standard_normal(count)
-    smooth = np.exp(prior + covariance @ (weight * logs))
+    bend_std = SLOPE_CHANGE * np.sqrt(BIN_WIDTH / np.log(10))
+    # A matrix (count - 2, count): its product with a curve is the bends over `bend_std`.
+    scaled_bends = np.diff(np.eye(count), n=2, axis=0) / (BIN_WIDTH * bend_std)
+    covariance = np.linalg.inv(np.diag(weight) + scaled_bends.T @ scaled_bends)
+    log_density = np.log(np.where(weight > 0, density[measured_range], 1.0))
+    prior_curve = np.zeros(count)
+    if rng is not None:
+        # The prior curve has random bends. Noisy values of it differ from the measured ln C. The
+        # smooth curve through the differences, added to the prior curve, gives the sample.
+        prior_curve = BIN_WIDTH * np.cumsum(np.cumsum(bend_std * rng.standard_normal(count)))
+        noise_std = np.where(weight > 0, np.sqrt(variance[measured_range]), 0.0)
+        log_density = log_density - prior_curve - noise_std * rng.standard_normal(count)
+    smooth = np.exp(prior_curve + covariance @ (weight * log_density))
     return _Curve(BIN_CENTRES[measured_range], smooth, np.diag(covariance) + CALIBRATION_SCATTER**2)
 
 
@@ -140,21 +165,30 @@ def _smooth_between_peaks(mean_bins: _MeanBins, rng: np.random.Generator | None 
 def _match_height_variance(curve: _Curve, arithmetic_mean: Floats) -> _Curve:
     """Return a curve whose variance of heights is that of the `arithmetic_mean` of C_iso.
 
-    Each ln C changes in proportion to its variance and to its share in the variance of heights. To
-    first order, this curve is the most likely one. Gaps, where the mean is NaN, do not count.
+    A smooth curve has the mean of ln C, but its C_iso need not have the measured mean. So ln C of
+    each bin changes by multiplier * log_changes, where
+
+        log_changes = variance of ln C * share of the bin in the variance of heights,
+
+    and one multiplier serves all bins: uncertain bins with much power change most. If errors of
+    bins were independent and the change small, no curve with this variance of heights would be more
+    likely. Gaps, in which the mean is NaN, neither count nor change.
     """
     wavevector, density, variance = curve
     mean_in_curve = arithmetic_mean[np.isin(BIN_CENTRES, wavevector)]
-    total = np.nansum(mean_in_curve * wavevector**2)
-    share = np.where(np.isfinite(mean_in_curve), density * wavevector**2 / total, 0.0)
-    direction = (variance - CALIBRATION_SCATTER**2) * share
+    # Bins are equally wide in ln q, so the variance of heights is the sum of q² C_iso, up to a
+    # factor.
+    height_variance = np.nansum(mean_in_curve * wavevector**2)
+    share = np.where(np.isfinite(mean_in_curve), density * wavevector**2 / height_variance, 0.0)
+    log_changes = (variance - CALIBRATION_SCATTER**2) * share
 
     def relative_excess(multiplier: float) -> float:
-        return float((share * np.exp(multiplier * direction)).sum() - 1)
+        """Return the excess of the curve's variance of heights, relative to what it should be."""
+        return float((share * np.exp(multiplier * log_changes)).sum() - 1)
 
-    bound = MAX_LOG_CHANGE / direction.max()
+    bound = MAX_LOG_CHANGE / log_changes.max()
     multiplier = scipy.optimize.brentq(relative_excess, -bound, bound)
-    return curve._replace(density=density * np.exp(multiplier * direction))
+    return curve._replace(density=density * np.exp(multiplier * log_changes))
 
 
 class _MeasuredSpectra(NamedTuple):
@@ -231,7 +265,11 @@ def sample_spectra(
     scans: Sequence[HeightMap],
     tip_radii: Sequence[float | None],
 ) -> Iterator[tuple[Spectrum, Floats]]:
-    """Yield spectra within the uncertainty of scans, and true heights over measured (scan,)."""
+    """Yield random spectra that the scans permit, and true relative to measured heights (scan,).
+
+    Each `rng` draws in turn all that is uncertain: the radii of unknown tips, the calibration of
+    each scan, the curve through the bins, the Hurst exponent of the tail, and the roll-off.
+    """
     measured = _measured_spectra(scans, tip_radii)
     for rng in rngs:
         bands = [
@@ -242,11 +280,12 @@ def sample_spectra(
         # A blunt tip may leave too few bins: then the sampled tips limit no scan of this sample.
         if reliable.any(axis=0).sum() < MIN_BINS:
             reliable = _reliable_mask(measured.densities, measured.bands)
+        # Logarithms of true relative to measured C_iso (scan,).
         log_power_factors = CALIBRATION_SCATTER * rng.standard_normal(len(bands))
-        # The mean calibration error scales the whole spectrum, so it is applied after the
-        # extrapolation.
-        mean_log = log_power_factors.mean()
-        densities = measured.densities * np.exp(log_power_factors - mean_log)[:, None]
+        # Their mean scales the whole spectrum, but only after the extrapolation, because the
+        # evidence of the roll-off compares spectra with heights as measured.
+        mean_log_factor = log_power_factors.mean()
+        densities = measured.densities * np.exp(log_power_factors - mean_log_factor)[:, None]
         mean_bins = _mean_bins(reliable, densities, measured.modes)
         curve = _smooth_between_peaks(mean_bins, rng)
         fit = _fit_hurst_without_peaks(mean_bins)
@@ -254,7 +293,9 @@ def sample_spectra(
         density, *_ = _extrapolate_curve(
             curve, fit, measured.rolloff_evidence, rng.uniform(), hurst_deviation
         )
-        yield Spectrum(WAVEVECTORS, density * np.exp(mean_log)), np.exp(log_power_factors / 2)
+        spectrum = Spectrum(WAVEVECTORS, density * np.exp(mean_log_factor))
+        # C_iso is a square of heights.
+        yield spectrum, np.exp(log_power_factors / 2)
 
 
 def _sample_reliable_band(
