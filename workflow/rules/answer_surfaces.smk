@@ -6,7 +6,7 @@ from hardcontact.config.user_files import read_yaml
 from hardcontact.records.code import page_templates
 from hardcontact.report.figures.listing import FILE_KINDS, OWN_FIGURES
 
-#: The figure `works` shows the fit to measured forces.
+#: All figures, but `works` only with measured forces, because it shows the fit to them.
 DRAWN_FIGURES = [name for name in OWN_FIGURES if name != "works" or HAS_FORCES]
 
 

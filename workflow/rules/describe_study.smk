@@ -1,7 +1,8 @@
 # Description of a study: its configuration, and the list of its variables.
 # Names in capitals that are not defined here: common.smk.
 
-#: The final datasets of all rules before, except those with wildcards, which others gather.
+#: The final datasets of the rules that the Snakefile includes before this file. Datasets with wildcards
+#: are left out, because other rules gather them.
 FINAL_DATASETS = [
     path
     for dataset_rule in workflow.rules

@@ -98,8 +98,8 @@ rule compute_force_dataset:
 
 if HAS_FORCES:
 
-    # Forces on one surface give one work for each range, those on several a region of pairs;
-    # `fit_published` (fits.smk) finds the best pair.
+    # Forces on one surface give one work of adhesion for each range. Forces on several surfaces give a
+    # region of pairs. In the paper's study `fit_published` (fits.smk) finds the best pair instead.
     rule fit_measured:
         """Find all pairs of range and work of adhesion that agree with the user's forces: fit.nc."""
         input:

@@ -1,4 +1,4 @@
-# Sets of substitute scans, sampled from pools: their numbers, features and posterior.
+# Sets, random choices of scans and masters: their numbers, surfaces with features, and the posterior.
 # Names in capitals that are not defined here: common.smk and surfaces.smk.
 
 from hardcontact.base.published import CLAIMS
@@ -28,7 +28,7 @@ rule compute_pool:
 
 
 rule compute_featured_candidates:
-    """Compute the forces on some surfaces with features and the roughness of Table 1."""
+    """Compute the forces on some candidates: surfaces with features that meet Table 1."""
     input:
         **SUBSTITUTE_INPUTS,
     output:
@@ -97,7 +97,7 @@ rule compare_features:
 
 
 rule fit_posterior:
-    """Weigh all pairs of range and work by the published forces: posterior.nc."""
+    """Compute how probable each pair of range and work is, given the published forces: posterior.nc."""
     input:
         sets=RESULTS.dataset("sets"),
         whole_surfaces=FILES.paths(STORE.whole_surfaces, CHUNKS.whole_surfaces),

@@ -12,8 +12,8 @@
 #   CONTACT_ARGUMENTS  the arguments of class Contact that are keys, without range and work of adhesion
 #   DESCRIPTION_INPUTS the description of a substitute, and the tables that it names
 #   SUBSTITUTE_INPUTS  the files from which other random surfaces like a substitute are made
-#   SPHERE_SCAN        the scan of the sphere that touches scans with changed octaves; none if the sphere is
-#                      smooth, or if its roughness was added to that of the substrates
+#   SPHERE_SCAN        the scan of the sphere that touches scans with changed or replaced octaves; none if
+#                      the sphere is smooth, or if its roughness was added to that of the substrates
 
 from hardcontact.config.configuration import contact_arguments
 from hardcontact.config.study_plan import StudyPlan

@@ -36,7 +36,11 @@ class CandidateChunk(NamedTuple):
 
 
 class MasterForcesChunk(NamedTuple):
-    """The first and the last master of a chunk, and what else the path of their forces names."""
+    """The first and the last master of a chunk, and what else the path of their forces names.
+
+    The digest of settings keeps forces with other radii, loadings or ranges apart. These have
+    fields, too, so that people find a file.
+    """
 
     purpose: str
     settings_digest: str
@@ -144,7 +148,7 @@ class Chunks:
                 ]
                 for side in SIDES
             }
-        # The job makes other masters from scans and spectra.
+        # Masters that are no files: the job makes them from scans and spectra.
         if PURPOSES[purpose].samples_spectra:
             spectra = [files.sampled_spectrum_path(surface, number) for number in numbers]
         else:
