@@ -11,7 +11,7 @@ from scipy.stats import binomtest
 
 from hardcontact.paper.claims.verdicts import (
     VERDICTS,
-    accepted_range,
+    accepted_numbers,
     count_verdicts,
     find_open_end,
     read_judged_claims,
@@ -40,13 +40,13 @@ TWO_SIDED = [
 @pytest.mark.parametrize("rule", ["interval", "factor 1"])
 @pytest.mark.parametrize(("number", "ends", "judgement"), TWO_SIDED)
 def test_a_number_is_judged_by_two_limits(rule, number, ends, judgement):
-    assert accepted_range(rule, 4.0, 6.0).verdict(number, *ends) == judgement
+    assert accepted_numbers(rule, 4.0, 6.0).verdict(number, *ends) == judgement
 
 
 @pytest.mark.parametrize(("number", "ends", "judgement"), TWO_SIDED)
 def test_one_limit_is_judged_like_two_with_one_far_away(number, ends, judgement):
     def verdict(rule, low, high):
-        return accepted_range(rule, low, high).verdict(number, *ends)
+        return accepted_numbers(rule, low, high).verdict(number, *ends)
 
     assert verdict("below", nan, 6.0) == verdict("interval", -99.0, np.nextafter(6.0, 0))
     lower_verdict = verdict("above", 4.0, nan)
@@ -57,7 +57,7 @@ def test_one_limit_is_judged_like_two_with_one_far_away(number, ends, judgement)
 # If all agree, 72 sets decide, but 71 do not: 0.95^71 > 0.025 > 0.95^72.
 @pytest.mark.parametrize("set_count", [71, 72, 100])
 def test_sets_decide_if_the_exact_interval_of_their_share_does(set_count):
-    accepted = accepted_range("above", 0.0, nan)
+    accepted = accepted_numbers("above", 0.0, nan)
     for agreeing_count in range(set_count + 1):
         values = np.where(np.arange(set_count) < agreeing_count, 1.0, -1.0)
         share = binomtest(agreeing_count, set_count).proportion_ci(0.95)
@@ -67,14 +67,14 @@ def test_sets_decide_if_the_exact_interval_of_their_share_does(set_count):
 
 
 def test_a_factor_widens_both_limits():
-    is_accepted = accepted_range("factor 2", 4.0, 6.0).accepts([1.9, 2.0, 12.0, 12.1])
+    is_accepted = accepted_numbers("factor 2", 4.0, 6.0).accepts([1.9, 2.0, 12.0, 12.1])
     assert is_accepted.tolist() == [False, True, True, False]
 
 
 @pytest.mark.parametrize("rule", ["close", "factor", "factor x", "interval 2", "", "below"])
 def test_an_unknown_rule_or_one_without_its_limit_is_refused(rule):
     with pytest.raises(ValueError):
-        accepted_range(rule, 1.0, nan)
+        accepted_numbers(rule, 1.0, nan)
 
 
 @pytest.mark.parametrize(
@@ -88,7 +88,9 @@ def test_an_unknown_rule_or_one_without_its_limit_is_refused(rule):
 )
 def test_samples_of_one_number_are_judged_with_its_interval(samples, verdict):
     low, high = np.percentile(samples, [2.5, 97.5])
-    assert accepted_range("interval", 4.0, 6.0).verdict_of_posterior(samples, low, high) == verdict
+    assert (
+        accepted_numbers("interval", 4.0, 6.0).verdict_of_posterior(samples, low, high) == verdict
+    )
 
 
 def test_summary_lists_every_verdict_and_counts_independent_statements():

@@ -21,7 +21,7 @@ NotNegative = Annotated[float, Field(strict=False, ge=0, allow_inf_nan=False), B
 
 
 class SegmentRow(Keys, extra="ignore"):
-    """A row of a description: the spectrum of one range of wavelengths."""
+    """A row of a description: a segment of the spectrum, from one wavelength to another."""
 
     longest_nm: Annotated[float, Field(strict=False, ge=0), BLANK_AS_NAN]  #: May be infinite.
     shortest_nm: NotNegative

@@ -167,8 +167,8 @@ class Tail(NamedTuple):
 
     tail_hurst: float = np.nan
     tail_hurst_error: float = np.nan  #: Standard error of the Hurst exponent.
-    tail_fit_shortest: float = np.nan  #: Range in nm to which the Hurst exponent is fitted.
-    tail_fit_longest: float = np.nan
+    tail_fit_shortest: float = np.nan  #: Shortest wavelength (nm) of the fit of the exponent.
+    tail_fit_longest: float = np.nan  #: Longest wavelength (nm) of this fit.
     tail_ended_by: TailEnd = TailEnd.NONE
 
 

@@ -134,23 +134,23 @@ def smooth_curve(
     posterior (Wahba, J. R. Stat. Soc. B 40 (1978) 364).
     """
     finite = np.flatnonzero(np.isfinite(density))
-    measured_range = slice(finite[0], finite[-1] + 1)
-    weight = np.where(np.isfinite(density), 1 / variance, 0.0)[measured_range]
+    measured_span = slice(finite[0], finite[-1] + 1)
+    weight = np.where(np.isfinite(density), 1 / variance, 0.0)[measured_span]
     count = len(weight)
     bend_std = SLOPE_CHANGE * np.sqrt(BIN_WIDTH / np.log(10))
     # A matrix (count - 2, count): its product with a curve is the bends over `bend_std`.
     scaled_bends = np.diff(np.eye(count), n=2, axis=0) / (BIN_WIDTH * bend_std)
     covariance = np.linalg.inv(np.diag(weight) + scaled_bends.T @ scaled_bends)
-    log_density = np.log(np.where(weight > 0, density[measured_range], 1.0))
+    log_density = np.log(np.where(weight > 0, density[measured_span], 1.0))
     prior_curve = np.zeros(count)
     if rng is not None:
         # The prior curve has random bends. Noisy values of it differ from the measured ln C. The
         # smooth curve through the differences, added to the prior curve, gives the sample.
         prior_curve = BIN_WIDTH * np.cumsum(np.cumsum(bend_std * rng.standard_normal(count)))
-        noise_std = np.where(weight > 0, np.sqrt(variance[measured_range]), 0.0)
+        noise_std = np.where(weight > 0, np.sqrt(variance[measured_span]), 0.0)
         log_density = log_density - prior_curve - noise_std * rng.standard_normal(count)
     smooth = np.exp(prior_curve + covariance @ (weight * log_density))
-    return _Curve(BIN_CENTRES[measured_range], smooth, np.diag(covariance) + CALIBRATION_SCATTER**2)
+    return _Curve(BIN_CENTRES[measured_span], smooth, np.diag(covariance) + CALIBRATION_SCATTER**2)
 
 
 def _smooth_between_peaks(mean_bins: _MeanBins, rng: np.random.Generator | None = None) -> _Curve:

@@ -11,7 +11,7 @@ five steps. The claim `short_edge_first` is the example: the outermost short edg
 3. `select_estimate` takes the value that the column `select` names, here by `side=short`: 37 nm.
 4. `_judge` adds what sets of scans show. Here the values of 100 sets give the interval, 34 to 45
    nm. The column `rule`, here `factor 1.25`, and the published limits, 42.5 and 43.5 nm, give the
-   accepted range, 34.0 to 54.4 nm. Only 97 of the 100 values are in this range, not all, so the
+   accepted numbers, 34.0 to 54.4 nm. Only 97 of the 100 values are accepted, not all, so the
    verdict is undecided.
 5. `judge_claims` adds the basis, here substitute scans. Some claims have a fixed verdict, such as
    "by construction", which replaces that of step 4.
@@ -44,7 +44,7 @@ from hardcontact.paper.claims.selection import (
 )
 from hardcontact.paper.claims.verdicts import (
     JUDGED_COLUMNS,
-    accepted_range,
+    accepted_numbers,
     find_open_end,
     interval_with_samples,
     samples_vary,
@@ -178,7 +178,7 @@ def _judge(
     low, high = interval_with_samples(value, ends, samples, confidence)
     if claim.needs in WITHOUT_SCAN and np.isnan(low):
         low = high = value  # because without scans nothing scatters
-    accepted = accepted_range(claim.rule, claim.published_low, claim.published_high)
+    accepted = accepted_numbers(claim.rule, claim.published_low, claim.published_high)
     if claim.samples_from == "posterior":
         verdict = accepted.verdict_of_posterior(samples, low, high)
     elif samples_vary(samples):

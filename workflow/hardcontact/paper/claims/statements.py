@@ -18,7 +18,7 @@ from hardcontact.config.keys import Keys
 from hardcontact.config.user_files import NumberCell, parse_number, read_rows
 from hardcontact.paper.claims.judgement import DERIVED_QUANTITIES
 from hardcontact.paper.claims.selection import LABELS, split_selection
-from hardcontact.paper.claims.verdicts import accepted_range
+from hardcontact.paper.claims.verdicts import accepted_numbers
 from hardcontact.surfaces.metrics import TABLE1_VARIABLES
 
 #: Datasets of the claims that may have samples, by the source of the samples (`samples_from`).
@@ -57,7 +57,7 @@ class ClaimRow(Keys):
     def _check_rules_across_columns(self) -> "ClaimRow":
         raise_faults([*self._quantity_faults(), *self._selection_faults()])
         # Raises ValueError for an unknown rule, or a missing limit.
-        accepted_range(self.rule, self.published_low, self.published_high)
+        accepted_numbers(self.rule, self.published_low, self.published_high)
         return self
 
     def _quantity_faults(self) -> list[str]:

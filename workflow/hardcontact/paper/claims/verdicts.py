@@ -39,7 +39,7 @@ JUDGED_COLUMNS = (
 
 
 @dataclass(frozen=True)
-class AcceptedRange:
+class AcceptedNumbers:
     """The numbers that agree with the paper, in the unit of the published limits."""
 
     low: float
@@ -66,7 +66,8 @@ class AcceptedRange:
         if self.accepts(samples).mean() >= REPRODUCED_SHARE:
             return REPRODUCED
         # The interval alone decides about a rejection, because few samples agree if the accepted
-        # range is narrow. `verdict` needs no number besides an interval, so `low` stands for it.
+        # numbers lie close together. `verdict` needs no number besides an interval, so `low` stands
+        # for it.
         return NOT_REPRODUCED if self.verdict(low, low, high) == NOT_REPRODUCED else UNDECIDED
 
     def verdict(self, computed: float, low: float, high: float) -> str:
@@ -82,7 +83,7 @@ class AcceptedRange:
         return UNDECIDED if overlaps else NOT_REPRODUCED
 
 
-def accepted_range(rule: str, published_low: float, published_high: float) -> AcceptedRange:
+def accepted_numbers(rule: str, published_low: float, published_high: float) -> AcceptedNumbers:
     """Return the numbers that agree with the paper by a rule, given the published limits or NaN.
 
     The rule is ``interval``, ``factor`` and a number, ``below``, ``above`` or ``order``. Raises
@@ -103,7 +104,7 @@ def accepted_range(rule: str, published_low: float, published_high: float) -> Ac
         )
     if np.isnan(limits).any():
         raise ValueError(f"rule: expected the published limits of {rule!r}, found none")
-    return AcceptedRange(*limits, includes_limits=rule not in ONE_SIDED)
+    return AcceptedNumbers(*limits, includes_limits=rule not in ONE_SIDED)
 
 
 def sets_needed(set_count: int, confidence: float) -> int:

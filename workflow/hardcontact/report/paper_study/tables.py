@@ -64,7 +64,7 @@ def claim_facts(claims: pd.DataFrame, set_count: int, confidence: float) -> dict
 def _printed_claim(row: Mapping[Any, Any]) -> dict[str, Any]:
     """Return the numbers of a claim as printed, and its kind."""
     unit = row["unit"]
-    # A one-sided rule has a published limit, which the accepted range shows.
+    # A one-sided rule has a published limit, which the accepted numbers show.
     published = "" if row["rule"] in ONE_SIDED else format_as_paper(row["published"], unit)
     interval = (row["low"], row["high"])
     kind = "follows" if row["follows_from"] else "independent"
@@ -80,14 +80,14 @@ def _printed_claim(row: Mapping[Any, Any]) -> dict[str, Any]:
         )
     return {
         "published_text": published or "as stated",
-        "accepted_text": _format_accepted_range(row["accepted_low"], row["accepted_high"], unit),
+        "accepted_text": _format_accepted_numbers(row["accepted_low"], row["accepted_high"], unit),
         "computed_text": computed_text,
         "kind": BY_CONSTRUCTION if row["verdict"] == BY_CONSTRUCTION else kind,
     }
 
 
-def _format_accepted_range(low: float, high: float, unit: str) -> str:
-    """Return the range of numbers that agree with a statement, in words."""
+def _format_accepted_numbers(low: float, high: float, unit: str) -> str:
+    """Return the numbers that agree with a statement, in words."""
     if np.isinf(low):
         return f"below {format_as_paper(high, unit)}"
     if np.isinf(high):
