@@ -2,6 +2,11 @@
 
 A Gaussian surface has nearly the same rms height in each scan. On polished UNCD rms heights scatter
 much more, which rare features would explain. All features of a surface have one Gaussian shape.
+
+Table 1 does not determine their density, height and width, so features are sampled until Table 1
+permits them. They are judged by the rms values that their scans are expected to have, so no scan is
+made until they are chosen. Scans of the study take the nearest to Table 1 of many permitted
+features. Other surfaces, such as the candidates of sets, take the first permitted features.
 """
 
 from collections.abc import Mapping, Sequence
@@ -38,9 +43,9 @@ WIDTH_BOUNDS = (20.0, 300.0)
 BASE_FACTOR_BOUNDS = (0.2, 1.2)
 #: Smallest width in pixels: the pixels then resolve the curvature of a feature to 4 %.
 MIN_WIDTH_PIXELS = 2.5
-#: Samples from the prior in a batch, and batches at most until Table 1 permits a sample.
-BATCH_SIZE = 1000
-MAX_BATCHES = 200
+#: Largest number of tries until Table 1 permits features, and tries that are sampled at a time.
+MAX_TRIES = 200_000
+TRIES_AT_ONCE = 1000
 #: Number of permitted samples, of which the nearest to Table 1 is taken: with so many, the nearest
 #: differs by half a standard error at most.
 PERMITTED_SAMPLES = 100
@@ -81,8 +86,14 @@ def published_statistics(
 
 
 def feature_squares(height: ArrayLike, width: ArrayLike, size: float) -> Floats:
-    """Return the increase of the squared rms values (..., 3) of a levelled scan by one feature."""
-    # By Campbell's theorem, these are mean squares of its height, gradient and half-Laplacian.
+    """Return the increase of the squared rms values (..., 3) of a levelled scan by one feature.
+
+    By Campbell's theorem, features at random positions add up the mean squares of single ones. A
+    feature h exp(-r²/2w²) on a scan of the width L has the mean square pi h² w²/L². Its gradient
+    has pi h²/L², and its half-Laplacian pi h²/(2 w² L²). All are smaller here, because features may
+    lie partly outside the scan, and levelling removes some of their height. For example, a feature
+    of h = 100 nm and w = 50 nm has 12.6 nm² on 2.5 µm, of which 12.1 nm² remain.
+    """
     height, width = np.asarray(height), np.asarray(width)
     # The squared shape, exp(-x²/w²) along an axis, lies w/sqrt(pi) from its centre on average.
     # As centres are uniform in the scan, the mean share w/(sqrt(pi) L) of squared heights lies
@@ -124,15 +135,19 @@ def standardized_differences(rms_values: Floats, statistics: ScanStatistics) -> 
 def sample_permitted_features(
     rng: np.random.Generator, statistics: ScanStatistics, scan_count: int, grid: ScanGrid, sign: int
 ) -> Features:
-    """Sample features until none of their `standardized_differences` exceeds one."""
+    """Sample features until Table 1 permits them: no `standardized_differences` exceeds one.
+
+    Density, height, width and base factor are uniform in their logarithms within the bounds. The
+    number of features on each scan has a Poisson distribution.
+    """
     min_width = max(WIDTH_BOUNDS[0], MIN_WIDTH_PIXELS * grid.pixel_size)
     bounds = (DENSITY_BOUNDS, HEIGHT_BOUNDS, (min_width, WIDTH_BOUNDS[1]), BASE_FACTOR_BOUNDS)
     log_low, log_high = np.log(bounds).T
-    for _ in range(MAX_BATCHES):
-        samples = np.exp(rng.uniform(log_low, log_high, (BATCH_SIZE, 4)))
+    for _ in range(MAX_TRIES // TRIES_AT_ONCE):
+        samples = np.exp(rng.uniform(log_low, log_high, (TRIES_AT_ONCE, 4)))
         number_density, relative_height, width, base_factor = samples.T
         mean_counts = number_density[:, None] * (grid.size / 1e3) ** 2
-        counts = rng.poisson(mean_counts, (BATCH_SIZE, scan_count))
+        counts = rng.poisson(mean_counts, (TRIES_AT_ONCE, scan_count))
         height = sign * relative_height * statistics.means[0]
         added = feature_squares(height, width, grid.size)
         rms_values = featured_rms(base_factor, counts, added, statistics)
@@ -150,7 +165,7 @@ def sample_permitted_features(
     raise ValueError(
         "config key substitutes.featured_surface: expected features that give rms heights of "
         f"{statistics.means[0]:.3g} ± {statistics.stds[0]:.3g} nm, found none in "
-        f"{MAX_BATCHES * BATCH_SIZE} tries: set it to none"
+        f"{MAX_TRIES} tries: set it to none"
     )
 
 
@@ -249,7 +264,10 @@ def sample_featured_scans(
 def nearest_featured_scans(
     surface: FeaturedSurface, scan_numbers: Sequence[int]
 ) -> tuple[Features, list[HeightMap]]:
-    """Return the features nearest to Table 1 among PERMITTED_SAMPLES, and scans with them."""
+    """Return the features nearest to Table 1 among PERMITTED_SAMPLES, and scans with them.
+
+    The nearest have the smallest sum of squared `standardized_differences`.
+    """
     choices = []
     for sample_number in range(PERMITTED_SAMPLES):
         kind = alternating_kind(sample_number)

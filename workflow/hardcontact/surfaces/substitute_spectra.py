@@ -73,8 +73,13 @@ TAIL_HURST_BOUNDS = (-6.0, 5.0)
 def scan_rms_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weights:
     """Return wavevectors (bins,) and weights (3, bins) for the expected rms values of a scan.
 
-    Squared rms values (3,) are weights @ C_iso. The scan of `window_pixels` per row is cut out of a
-    periodic surface of `pixels` per row, and levelled.
+    With C_iso at these wavevectors, weights @ C_iso are the expected squares of rms height,
+    gradient and half-Laplacian. So a calibration can try many spectra without random surfaces.
+
+    The scan of `window_pixels` per row is cut out of a periodic surface of `pixels` per row, and
+    levelled. Each wave of the surface has the mean square C_iso/area. It adds to the square of the
+    rms height what levelling leaves of it, to the others what finite differences make of it. Bins
+    collect the factors of waves with nearly the same wavenumber.
     """
     q_y = 2 * np.pi * np.abs(np.fft.fftfreq(pixels, pixel_size))
     q_x = q_y[: pixels // 2 + 1]
@@ -154,7 +159,13 @@ def calibrate_tail(
 ) -> dict[str, float]:
     """Return Hurst exponent and shortest wavelength (nm) of the tail below C_iso `longer_waves`.
 
-    The tail adds what `longer_waves` lack of the rms gradient and half-Laplacian (1/nm).
+    The tail adds what `longer_waves` lack of the rms gradient and half-Laplacian (1/nm). Both are
+    found by nested searches:
+
+    1. For a tried shortest wavelength, the Hurst exponent is that which adds the gradient. A larger
+       exponent makes the tail steeper, and adds less.
+    2. Of these tails, one that ends at a shorter wave adds more half-Laplacian. So the shortest
+       wavelength is searched between the longest and the shortest for which an exponent exists.
     """
     _, *longer_rms = all_scales_rms(Spectrum(WAVEVECTORS, longer_waves))
     missing_squares = [gradient**2 - longer_rms[0] ** 2, half_laplacian**2 - longer_rms[1] ** 2]
@@ -179,9 +190,10 @@ def calibrate_tail(
     def laplacian_excess(shortest: float) -> float:
         return excess(find_hurst(shortest), shortest, 1)
 
-    # Of tails that add the same gradient, one that ends at a shorter wave adds more half-Laplacian.
     low, high = TAIL_HURST_BOUNDS
-    possible_ends = [end for end in ends if excess(low, end, 0) > 0 > excess(high, end, 0)]
+    possible_ends = [  # from long to short
+        end for end in ends if excess(low, end, 0) > 0 > excess(high, end, 0)
+    ]
     if not possible_ends:
         raise refusal
     longest_end, shortest_end = possible_ends[0], possible_ends[-1]
