@@ -202,12 +202,13 @@ def extrapolate_short_waves(
     tail_start[last_index] = (
         start_density * (WAVEVECTORS[last_index] / wavevector[-1]) ** tail_slope
     )
-    spectrum = measured_density + power_law_tail(tail_start, exponent, ATOMIC_WAVELENGTH)
-    end_index, ended_by = _find_tail_end(spectrum)
-    spectrum = np.where(np.arange(len(WAVEVECTORS)) <= max(end_index, last_index), spectrum, 0.0)
+    endless_density = measured_density + power_law_tail(tail_start, exponent, ATOMIC_WAVELENGTH)
+    end_index, ended_by = _find_tail_end(endless_density)
+    is_before_end = np.arange(len(WAVEVECTORS)) <= max(end_index, last_index)
+    extrapolated_density = np.where(is_before_end, endless_density, 0.0)
     if end_index <= last_index:
-        return spectrum, Tail(tail_ended_by=ended_by)
-    return spectrum, Tail(exponent, fit.error, fit.shortest, fit.longest, ended_by)
+        return extrapolated_density, Tail(tail_ended_by=ended_by)
+    return extrapolated_density, Tail(exponent, fit.error, fit.shortest, fit.longest, ended_by)
 
 
 def _find_tail_end(density: Floats) -> tuple[int, TailEnd]:
@@ -290,8 +291,12 @@ class RolloffEvidence:
         # A priori the logarithm of the roll-off is uniform, so that the posterior of these
         # roll-offs is proportional to their likelihoods.
         rolloffs = np.geomspace(longest, MAX_ROLLOFF_OVER_SIZE * self._size, ROLLOFF_COUNT)
-        spectra = (extrapolate_long_waves(density, longest, slope, rolloff) for rolloff in rolloffs)
-        log_likelihoods = np.array([self._log_likelihood(spectrum) for spectrum in spectra])
+        log_likelihoods = np.array(
+            [
+                self._log_likelihood(extrapolate_long_waves(density, longest, slope, rolloff))
+                for rolloff in rolloffs
+            ]
+        )
         posterior = np.exp(log_likelihoods - log_likelihoods.max())
         # Half of the probability of a roll-off counts as below it.
         cumulative = (np.cumsum(posterior) - posterior / 2) / posterior.sum()

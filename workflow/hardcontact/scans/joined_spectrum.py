@@ -1,6 +1,6 @@
 """One spectrum of a surface from all scans of it: maps of several sizes, and line scans.
 
-`density`, `densities`, ``spectrum`` and ``joined_psd`` all hold C_iso in nm⁴ (`surfaces.spectrum`).
+Arrays called `density` hold C_iso in nm⁴; in datasets ``spectrum``, ``psd`` and ``joined_psd`` do.
 """
 
 from collections.abc import Iterable, Iterator, Sequence

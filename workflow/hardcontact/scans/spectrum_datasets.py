@@ -61,7 +61,7 @@ def scan_properties(
 def add_measurements(
     spectrum: xr.Dataset,
     joined_density: Floats,
-    psds: Floats,
+    densities: Floats,
     reliable: NDArray[np.bool_],
     properties: pd.DataFrame,
 ) -> xr.Dataset:
@@ -79,7 +79,7 @@ def add_measurements(
         columns[name] = ("measurement", column, {"units": unit} if unit else {})
     return spectrum.assign(
         {
-            "psd": (axes, psds, NM4),
+            "psd": (axes, densities, NM4),
             "reliable": (axes, reliable.astype("int8"), {}),
             **columns,
             "joined_psd": (axis, joined_density, NM4),
@@ -117,7 +117,7 @@ def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
     return add_measurements(
         substitute[["spectrum"]],
         joined_density=np.where(reliable.any(axis=0), density, np.nan),
-        psds=np.where(reliable, density, np.nan),
+        densities=np.where(reliable, density, np.nan),
         reliable=reliable,
         properties=properties,
     ).assign_attrs(

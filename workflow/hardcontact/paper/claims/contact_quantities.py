@@ -91,9 +91,9 @@ def deformation_over_adhesion(topography: xr.Dataset, elastic: xr.Dataset) -> xr
     The energy is E*/4 (1/2π) ∫ q² C dq for the AFM scans; Persson and Tosatti, J. Chem. Phys. 115
     (2001) 5597.
     """
-    # The spectrum is NaN at wavevectors that a scan does not have.
-    spectrum = topography["isotropic_psd"].sel(surface=elastic["surface"]).fillna(0)
-    moment = (topography["wavevector"] ** 2 * spectrum).integrate("wavevector") / (2 * np.pi)
+    # C is NaN at wavevectors that a scan does not have.
+    density = topography["isotropic_psd"].sel(surface=elastic["surface"]).fillna(0)
+    moment = (topography["wavevector"] ** 2 * density).integrate("wavevector") / (2 * np.pi)
     energy_per_area = elastic.attrs["effective_modulus"] / 4 * NANOMETRE * moment.where(moment > 0)
     ratio = energy_per_area / elastic.attrs["work_of_adhesion"]
     return mean_over_scans(ratio, elastic.attrs["confidence"])

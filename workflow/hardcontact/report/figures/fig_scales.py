@@ -85,12 +85,12 @@ def _draw_spectra(
     shortest, longest = filtered_forces["transition"].sel(side=["short", "long"]).values
     is_artificial = (wavelengths < shortest) | (wavelengths > longest)
     for look, surface_topography in style.iterate_surfaces(topography):
-        spectrum = surface_topography["spectrum"].where(lambda values: values > MIN_SPECTRUM)
-        scan_spectrum = surface_topography["isotropic_psd"].mean("scan")
+        density = surface_topography["spectrum"].where(lambda values: values > MIN_SPECTRUM)
+        scan_density = surface_topography["isotropic_psd"].mean("scan")
         line: style.Look = look | {"marker": ""}
-        axes.plot(wavelengths, spectrum.where(~is_artificial), **line)
-        axes.plot(wavelengths, spectrum, **look | ARTIFICIAL_LINE)
-        axes.plot(wavelengths, scan_spectrum, **look | SCAN_LOOK)
+        axes.plot(wavelengths, density.where(~is_artificial), **line)
+        axes.plot(wavelengths, density, **look | ARTIFICIAL_LINE)
+        axes.plot(wavelengths, scan_density, **look | SCAN_LOOK)
     axes.axvspan(*band, zorder=0, **PUBLISHED_BAND_LOOK)
     spectrum_ends = filtered_forces["spectrum_end"].values
     axes.set(xscale="log", yscale="log", xlabel="wavelength (nm)", ylabel="isotropic PSD (nm⁴)")

@@ -131,7 +131,7 @@ def draw_spectra(datasets: Datasets) -> Figure:
         measurements = split_measurements(all_measurements)
         for measurement, marker in zip(measurements, cycle(style.MARKERS), strict=False):
             _draw_measurement(axes, wavelengths, measurement, marker, draws_all)
-        used_density = _used_spectrum(data.spectra)[has_data]
+        used_density = _used_density(data.spectra)[has_data]
         joined_density = data.spectra["joined_psd"].values[has_data]
         axes.plot(wavelengths[has_data], used_density, color=colour, label="used")
         axes.plot(wavelengths[has_data], joined_density, **JOINED_LOOK, label="joined")
@@ -229,8 +229,8 @@ def _draw_measurement(
         axes.plot(wavelengths, np.where(is_reliable, np.nan, density), **look)
 
 
-def _used_spectrum(spectra: xr.Dataset) -> np.ndarray:
-    """Return the spectrum (nm⁴) of the masters at the measured bins, NaN where it is zero."""
+def _used_density(spectra: xr.Dataset) -> np.ndarray:
+    """Return C_iso (nm⁴) of the masters at the measured bins, NaN where it is zero."""
     with np.errstate(divide="ignore"):
         logarithm = np.log(spectra["spectrum"].values)
     bins = np.log(spectra["bin_wavevector"])
