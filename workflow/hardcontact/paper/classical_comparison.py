@@ -57,20 +57,9 @@ def apply_classical_models(
     radius = fit.attrs["sphere_radius"]
     work = constants["work_of_adhesion"]
     sphere = ElasticSphere(radius, effective_modulus(constants), constants["equilibrium_spacing"])
-    plastic = fit.sel(surface=surfaces, contact_model=PLASTIC, pair="published")
-    interval = plastic["mean_force_at_pair_interval"].transpose("surface", "end")
-    # Forces and effective works (surface, 3): value, low and high end of its interval.
-    forces = {
-        "published": _rounded_numbers(printed_means[surfaces]),
-        "computed": np.column_stack([plastic["mean_force_at_pair"].values, interval.values]),
-    }
+    forces = _forces_by_source(fit, printed_means[surfaces])
     # The printed Tabor parameter counts; the computed one differs (departures.md, 5).
-    maugis = hertz_jkr_dmt.maugis_parameter(constants["tabor_parameter"])
-    coefficient = hertz_jkr_dmt.pull_off_coefficient(maugis)
-    effective_works = {
-        source: hertz_jkr_dmt.effective_work_of_adhesion(force_and_ends, radius, coefficient)
-        for source, force_and_ends in forces.items()
-    }
+    effective_works = _effective_works(forces, radius, constants["tabor_parameter"])
     datasets_by_metrics = {}
     for metrics in METRIC_PREFIXES:
         roughness = _sample_roughness(rows.loc[surfaces], metrics, sampling)
@@ -97,6 +86,28 @@ def apply_classical_models(
         )
         .assign_attrs(error_threshold=fit.attrs["error_threshold"], confidence=sampling.confidence)
     )
+
+
+def _forces_by_source(fit: xr.Dataset, printed_means: "pd.Series[str]") -> dict[str, Floats]:
+    """Return the mean forces (surface, 3) by source: the value, the low and high end of each."""
+    surfaces = printed_means.index.tolist()
+    plastic = fit.sel(surface=surfaces, contact_model=PLASTIC, pair="published")
+    interval = plastic["mean_force_at_pair_interval"].transpose("surface", "end")
+    return {
+        "published": _rounded_numbers(printed_means),
+        "computed": np.column_stack([plastic["mean_force_at_pair"].values, interval.values]),
+    }
+
+
+def _effective_works(
+    forces: Mapping[str, Floats], radius: float, tabor: float
+) -> dict[str, Floats]:
+    """Return the effective works of adhesion (surface, 3) of forces, by the same source."""
+    coefficient = hertz_jkr_dmt.pull_off_coefficient(hertz_jkr_dmt.maugis_parameter(tabor))
+    return {
+        source: hertz_jkr_dmt.effective_work_of_adhesion(force_and_ends, radius, coefficient)
+        for source, force_and_ends in forces.items()
+    }
 
 
 def _sample_roughness(rows: pd.DataFrame, metrics: str, sampling: Sampling) -> Roughness:
@@ -181,7 +192,11 @@ def _model_variables(
 def classical_error(
     model: ClassicalModel, roughness: Roughness, sphere: ElasticSphere, target: Floats
 ) -> Floats:
-    """Return the mean over surfaces of |F/target - 1| (...) at the best work of adhesion."""
+    """Return the mean over surfaces of |F/target - 1| (...) at the best work of adhesion.
+
+    If the force F is proportional to the work, `fit_work` finds the best work exactly. Otherwise it
+    is searched.
+    """
     if model.is_proportional:
         _, error = fit_work(model.force(1.0, roughness, sphere)[..., None], target)
         return error[..., 0]
@@ -213,7 +228,8 @@ def _search_minimum(
 ) -> Floats:
     """Return the smallest error (...) on an even grid that is refined about the best value.
 
-    `error_at` returns the errors (..., k) at values (..., k); `shape` is that of the result.
+    `error_at` returns the errors (..., k) at values (..., k); `shape` is that of the result. Each
+    refinement covers one old step to both sides of the best value with 41 values.
     """
     step = grid[1] - grid[0]
     values = np.broadcast_to(grid, (*shape, grid.size))

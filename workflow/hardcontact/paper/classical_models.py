@@ -30,7 +30,8 @@ ADHESION_INDICES = (1e-4, 1e7)
 #: Limit of the integral over asperity heights, in their standard deviations.
 MAX_HEIGHT_DEVIATIONS = 9.0
 
-#: Tension of an asperity relative to its pull-off force, as a function of its compression.
+#: Tension of an asperity relative to its pull-off force, as a function of its compression, in a
+#: unit that differs between models.
 Tension = Callable[[Floats], Values]
 
 
@@ -119,6 +120,82 @@ def maugis_rough_dmt(work: Values, roughness: Roughness, sphere: ElasticSphere) 
     return dmt_pull_off(work, sphere.radius) * _relative_pull_off(_dmt_tension, 4, index)
 
 
+def _relative_pull_off(tension: Tension, spread_factor: float, index: Values) -> Values:
+    """Return the pull-off force of asperities of Gaussian heights relative to equal heights.
+
+    Asperities of equal height all pull off at once. Of unequal ones the high ones are still pressed
+    when the low ones have let go, so together they pull less: JKR asperities 0.73 times as much at
+    the adhesion index 1, 0.036 times at 10. At each separation of the surfaces the asperities have
+    a mean tension, and the pull-off force is its largest value over all separations. It depends on
+    the adhesion index alone, so a spline holds it. Beyond ADHESION_INDICES the nearest of them
+    counts.
+    """
+    log_index = np.log(np.clip(index, *ADHESION_INDICES))
+    return np.exp(-np.exp(_force_spline(tension, spread_factor)(log_index)))
+
+
+@lru_cache
+def _force_spline(tension: Tension, spread_factor: float) -> CubicSpline:
+    """Return a spline of ln(-ln r) by ln θ: relative pull-off force r at the adhesion index θ.
+
+    The spread, the standard deviation of heights in the unit of the compression, is
+    (spread_factor θ²/9π²)^⅓. The factor is 16 for the unit of `_jkr_tension`, 4 for `_dmt_tension`.
+    """
+    indices = np.geomspace(*ADHESION_INDICES, 221)
+    spreads = np.cbrt(spread_factor * indices**2 / (9 * np.pi**2))
+    log_forces = np.array([_log_largest_tension(tension, spread) for spread in spreads])
+    return CubicSpline(np.log(indices), np.log(-log_forces))
+
+
+def _log_largest_tension(tension: Tension, spread: float) -> float:
+    """Return ln(largest mean tension over all separations), at a spread of `_force_spline`.
+
+    The search has two steps. At the separation of balance the asperities pull as much as they push.
+    The largest tension lies beyond it, where they pull more, and the logarithm of the distance from
+    the balance is searched.
+    """
+    # These limits contain the balance for all adhesion indices of the spline.
+    lowest, highest = -3 / spread - 12, 10 + 6 * spread
+    balance = brentq(
+        lambda separation: _mean_tension(tension, spread, separation)[0], lowest, highest
+    )
+
+    def minus_log_tension(log_distance: float) -> float:
+        value, exponent = _mean_tension(tension, spread, balance + np.exp(log_distance))
+        return -(np.log(value) + exponent) if value > 0 else np.inf
+
+    bounds = np.log(1e-8), np.log(highest - balance)
+    minimum = minimize_scalar(
+        minus_log_tension, bounds=bounds, method="bounded", options={"xatol": 1e-7}
+    )
+    log_factor = np.log(2 * np.pi) / 2  # `_mean_tension` returns sqrt(2π) times the mean.
+    return float(-minimum.fun - log_factor)
+
+
+def _mean_tension(tension: Tension, spread: float, separation: float) -> tuple[float, float]:
+    """Return the mean tension of Gaussian asperities times sqrt(2π) exp(-exponent), and exponent.
+
+    The separation is in standard deviations of heights; an asperity of mean height detaches at 0.
+    An asperity z deviations above the mean has the compression z - separation. The mean integrates
+    over compressions, with the Gaussian density of z = separation + compression. The exponent
+    prevents an underflow between separated surfaces.
+    """
+    # Compressions below `low` or above `high` do not count: there asperities are apart, or rarer
+    # than exp(-MAX_HEIGHT_DEVIATIONS²/2) of the maximum.
+    low = max(0.0, -MAX_HEIGHT_DEVIATIONS - separation)
+    high = (
+        MAX_HEIGHT_DEVIATIONS**2 / (separation + np.hypot(separation, MAX_HEIGHT_DEVIATIONS))
+        if separation > 0
+        else MAX_HEIGHT_DEVIATIONS - separation
+    )
+    exponent = -(max(separation, 0.0) ** 2) / 2
+    # Nodes are squared, because the tension of JKR asperities begins as a square root.
+    compression = low + (high - low) * _NODES**2
+    weight = 2 * (high - low) * _NODES * _WEIGHTS
+    density = np.exp(-((separation + compression) ** 2) / 2 - exponent)
+    return float(np.sum(weight * density * tension(spread * compression))), exponent
+
+
 def _jkr_tension(compression: Floats) -> Values:
     """Return the tension of an asperity relative to its pull-off force 1.5πβW.
 
@@ -139,68 +216,6 @@ def _jkr_tension(compression: Floats) -> Values:
 def _dmt_tension(compression: Floats) -> Values:
     """Return the tension relative to 2πβW; the compression is in (2πβW/Kβ^½)^⅔."""
     return 1 - compression**1.5
-
-
-def _log_largest_tension(tension: Tension, spread: float) -> float:
-    """Return ln(largest mean tension over all separations), at a spread of `_force_spline`."""
-    lowest, highest = -3 / spread - 12, 10 + 6 * spread
-    # From this separation on the asperities pull more than they push. The limits contain it for all
-    # adhesion indices of the table.
-    balance = brentq(
-        lambda separation: _mean_tension(tension, spread, separation)[0], lowest, highest
-    )
-
-    def minus_log_tension(log_distance: float) -> float:
-        value, exponent = _mean_tension(tension, spread, balance + np.exp(log_distance))
-        return -(np.log(value) + exponent) if value > 0 else np.inf
-
-    bounds = np.log(1e-8), np.log(highest - balance)
-    minimum = minimize_scalar(
-        minus_log_tension, bounds=bounds, method="bounded", options={"xatol": 1e-7}
-    )
-    return float(-minimum.fun - np.log(2 * np.pi) / 2)
-
-
-def _mean_tension(tension: Tension, spread: float, separation: float) -> tuple[float, float]:
-    """Return the mean tension of Gaussian asperities times sqrt(2π) exp(-exponent), and exponent.
-
-    The separation is in standard deviations of heights; an asperity of mean height detaches at 0.
-    The exponent prevents an underflow between separated surfaces.
-    """
-    # Other asperities are apart, or rarer than exp(-MAX_HEIGHT_DEVIATIONS²/2) of the maximum.
-    low = max(0.0, -MAX_HEIGHT_DEVIATIONS - separation)
-    high = (
-        MAX_HEIGHT_DEVIATIONS**2 / (separation + np.hypot(separation, MAX_HEIGHT_DEVIATIONS))
-        if separation > 0
-        else MAX_HEIGHT_DEVIATIONS - separation
-    )
-    exponent = -(max(separation, 0.0) ** 2) / 2
-    # Nodes are squared, because the tension of JKR asperities begins as a square root.
-    compression = low + (high - low) * _NODES**2
-    weight = 2 * (high - low) * _NODES * _WEIGHTS
-    density = np.exp(-((separation + compression) ** 2) / 2 - exponent)
-    return float(np.sum(weight * density * tension(spread * compression))), exponent
-
-
-@lru_cache
-def _force_spline(tension: Tension, spread_factor: float) -> CubicSpline:
-    """Return a spline of ln(-ln r) by ln θ: relative pull-off force r at the adhesion index θ.
-
-    The spread of heights in the unit of the compression is (spread_factor θ²/9π²)^⅓.
-    """
-    indices = np.geomspace(*ADHESION_INDICES, 221)
-    spreads = np.cbrt(spread_factor * indices**2 / (9 * np.pi**2))
-    log_forces = np.array([_log_largest_tension(tension, spread) for spread in spreads])
-    return CubicSpline(np.log(indices), np.log(-log_forces))
-
-
-def _relative_pull_off(tension: Tension, spread_factor: float, index: Values) -> Values:
-    """Return the pull-off force of asperities relative to asperities of equal height.
-
-    Beyond ADHESION_INDICES it is that at the nearest of them.
-    """
-    log_index = np.log(np.clip(index, *ADHESION_INDICES))
-    return np.exp(-np.exp(_force_spline(tension, spread_factor)(log_index)))
 
 
 CLASSICAL_MODELS = {
