@@ -11,8 +11,8 @@ with run_job(snakemake) as job:
     forces_by_surface = read_by_name(params["band_surfaces"], job.input.surfaces)
     ratios = {}
     for surface, forces in forces_by_surface.items():
-        parts = parts_of_maps(forces, radius, rho)
-        ratios[(surface,)] = band_ratios(forces, parts, confidence)
+        scan_parts = parts_of_maps(forces, radius, rho)
+        ratios[(surface,)] = band_ratios(forces, scan_parts, confidence)
     # Only substitutes have whole surfaces; the forces on measured surfaces are NaN.
     band_forces = stack(ratios, ["surface"]).reindex(surface=params["surfaces"])
     # The bands are the same on all surfaces.

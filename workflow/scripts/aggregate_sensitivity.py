@@ -23,8 +23,8 @@ with run_job(snakemake) as job:
     forces_by_surface = concatenate(read_by_key(params["maps"], job.input.forces), "map")
     sensitivities = {}
     for (surface,), forces in forces_by_surface.items():
-        parts = parts_of_maps(forces, radius, rho, touched_patches.get(surface, np.inf))
-        sensitivities[(surface,)] = octave_sensitivities(forces, parts, confidence)
+        scan_parts = parts_of_maps(forces, radius, rho, touched_patches.get(surface, np.inf))
+        sensitivities[(surface,)] = octave_sensitivities(forces, scan_parts, confidence)
     sensitivity = stack(sensitivities, ["surface"]).sortby("octave")
     job.write(
         add_surface_names(sensitivity, params).assign_attrs(confidence=confidence, rho=rho),

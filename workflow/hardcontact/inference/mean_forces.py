@@ -106,7 +106,9 @@ def mean_intervals(surface_forces: SurfaceForces, confidence: float) -> Floats:
     log_means_and_parts = zip(
         surface_forces.delete_one_log_means, surface_forces.scan_parts, strict=True
     )
-    variances = [jackknife_variance(log_means, parts) for log_means, parts in log_means_and_parts]
+    variances = [
+        jackknife_variance(log_means, scan_parts) for log_means, scan_parts in log_means_and_parts
+    ]
     half_widths = np.array([interval_half_width([variance], confidence) for variance in variances])
     position_half_widths = position_half_width(surface_forces, confidence)
     if position_half_widths is not None:

@@ -160,8 +160,8 @@ def _sample_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampli
         surface_forces.delete_one_log_means, surface_forces.scan_parts, strict=True
     )
     scan_deviations = [
-        sample_deviations(sampling.generator("scans", surface), log_means, parts, count)
-        for log_means, parts in log_means_and_parts
+        sample_deviations(sampling.generator("scans", surface), log_means, scan_parts, count)
+        for log_means, scan_parts in log_means_and_parts
     ]
     deviations = np.stack(scan_deviations, axis=1)
     position_variance = surface_forces.position_variance
