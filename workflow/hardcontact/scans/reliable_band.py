@@ -99,20 +99,16 @@ def limit_by_tip(band: ReliableBand, scan: HeightMap, tip_radius: float) -> Reli
 
 
 def _spectral_ends(scan: HeightMap, density: Floats) -> list[tuple[float, str]]:
-    """Return the wavelengths (nm) below which noise or smoothing dominates, with their codes."""
+    """Return the wavelengths (nm) below which noise or smoothing dominates, with their codes.
+
+    Bins count from long to short waves. Noise and smoothing are sought at their end, because above
+    its roll-off a rough surface is flat, too. One may hide the other, so there are three passes,
+    each over the bins that the former left: smoothing; a noise floor; and smoothing at longer waves
+    than the floor, which comes to the end once the floor is cut off.
+    """
     is_resolved = np.isfinite(density) & (BIN_CENTRES * MIN_PIXELS * scan.pixel_size <= 2 * np.pi)
     q = BIN_CENTRES[is_resolved]
-    variance = variance_of_log(independent_modes(scan.kind, scan.size)[is_resolved])
-    slope, error = local_slopes(q, density[is_resolved], variance)
-    axes_differ = axis_ratio(scan)[is_resolved] > MAX_AXIS_RATIO
-    is_smoothed = slope + MIN_STANDARD_ERRORS * error < np.where(
-        axes_differ, STEEPEST_SELF_AFFINE_SLOPE, STEEPEST_FACET_SLOPE
-    )
-    is_flat = slope - MIN_STANDARD_ERRORS * error > FLATTEST_SLOPE
-    is_near_peak = _find_bins_near_peaks(np.log(density[is_resolved]), variance)
-    is_smoothed &= ~is_near_peak
-    is_flat &= ~is_near_peak
-    # First smoothing, then a noise floor in the rest, then smoothing that the floor had hidden.
+    is_smoothed, is_flat = _find_smoothed_and_flat_bins(scan, density, is_resolved)
     unsmoothed_count = _count_unsmoothed(is_smoothed, len(q))
     above_floor_count = _count_above_floor(is_flat, unsmoothed_count)
     reliable_count = _count_unsmoothed(is_smoothed, above_floor_count)
@@ -125,10 +121,29 @@ def _spectral_ends(scan: HeightMap, density: Floats) -> list[tuple[float, str]]:
     return ends
 
 
-def _find_bins_near_peaks(log_density: Floats, variance: Floats) -> NDArray[np.bool_]:
-    """Return the mask (bins,) of bins within half a decade of a peak, to which C_iso rises.
+def _find_smoothed_and_flat_bins(
+    scan: HeightMap, density: Floats, is_resolved: NDArray[np.bool_]
+) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Return the masks (resolved bins,) of slopes that are too steep, or too flat, for a surface.
 
-    Entry [i, j] of a matrix compares bin j with bin i of a longer wavelength, if i < j.
+    A slope must exceed its limit by MIN_STANDARD_ERRORS. Slopes near a peak do not count.
+    """
+    variance = variance_of_log(independent_modes(scan.kind, scan.size)[is_resolved])
+    slope, error = local_slopes(BIN_CENTRES[is_resolved], density[is_resolved], variance)
+    axes_differ = axis_ratio(scan)[is_resolved] > MAX_AXIS_RATIO
+    steepest_slope = np.where(axes_differ, STEEPEST_SELF_AFFINE_SLOPE, STEEPEST_FACET_SLOPE)
+    is_smoothed = slope + MIN_STANDARD_ERRORS * error < steepest_slope
+    is_flat = slope - MIN_STANDARD_ERRORS * error > FLATTEST_SLOPE
+    is_far_from_peaks = ~_find_bins_near_peaks(np.log(density[is_resolved]), variance)
+    return is_smoothed & is_far_from_peaks, is_flat & is_far_from_peaks
+
+
+def _find_bins_near_peaks(log_density: Floats, variance: Floats) -> NDArray[np.bool_]:
+    """Return the mask (bins,) of bins within half a decade of a peak.
+
+    The spectrum of a rough surface falls toward short waves. So a bin holds a peak if C_iso rises
+    to it, clearly and from a bin at most half a decade before. Entry [i, j] of each matrix compares
+    bin j with bin i; for i < j bin i has the longer waves.
     """
     index = np.arange(len(log_density))
     distance = index - index[:, None]
@@ -140,8 +155,12 @@ def _find_bins_near_peaks(log_density: Floats, variance: Floats) -> NDArray[np.b
 
 
 def _count_unsmoothed(is_smoothed: NDArray[np.bool_], count: int) -> int:
-    """Count the leading bins, at most `count`, whose last half decade shows no smoothing."""
-    # Half a decade, because between smoothing and noise slopes pass those of rough surfaces.
+    """Count the leading bins, at most `count`, whose last half decade shows no smoothing.
+
+    The last bins may look like a rough surface, because the slope turns from steep to flat where
+    noise passes the smoothed waves. So any smoothed bin in the last half decade cuts off all bins
+    from it on. With x for smoothed bins, ".......xxxx..." is cut to ".......".
+    """
     while is_smoothed[max(count - HALF_DECADE_BINS, 0) : count].any():
         start = max(count - HALF_DECADE_BINS, 0)
         count = start + int(np.argmax(is_smoothed[start:count]))
@@ -149,7 +168,10 @@ def _count_unsmoothed(is_smoothed: NDArray[np.bool_], count: int) -> int:
 
 
 def _count_above_floor(is_flat: NDArray[np.bool_], count: int) -> int:
-    """Count the leading bins, at most `count`, that do not end in a noise floor."""
+    """Count the leading bins, at most `count`, that do not end in a noise floor.
+
+    Before a floor, NOISE_MARGIN_BINS are cut off, too.
+    """
     kept_count = count
     while kept_count and is_flat[kept_count - 1]:
         kept_count -= 1
