@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 import scipy
 from numpy.lib.stride_tricks import sliding_window_view
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length
@@ -106,15 +106,20 @@ def _short_waves(scan: HeightMap, pixel_size: float, longest_pixels: float) -> F
 
 
 def _best_correlation(heights: Floats, other_heights: Floats) -> float:
-    """Return the largest correlation of two maps over all shifts that overlap enough."""
+    """Return the largest correlation of two maps over all shifts that overlap enough.
+
+    At each shift the correlation of heights h and g is sum(h g) / sqrt(sum(h²) sum(g²)), summed
+    over the pixels in which both maps overlap.
+    """
 
     def sums_over_shifts(fixed: Floats, shifted: Floats) -> Floats:
+        """Return the sum of the product over the overlap, for every shift at once."""
         return np.asarray(scipy.signal.fftconvolve(fixed, shifted[::-1, ::-1]))
 
-    weights, other_weights = np.ones(heights.shape), np.ones(other_heights.shape)
-    overlap = sums_over_shifts(weights, other_weights)
-    variance_products = sums_over_shifts(heights**2, other_weights)
-    variance_products *= sums_over_shifts(weights, other_heights**2)
+    ones, other_ones = np.ones(heights.shape), np.ones(other_heights.shape)
+    overlap = sums_over_shifts(ones, other_ones)  # in pixels
+    variance_products = sums_over_shifts(heights**2, other_ones)
+    variance_products *= sums_over_shifts(ones, other_heights**2)
     # Where one map is constant, such as in unmeasured lines, rounding leaves no variance to trust.
     is_comparable = overlap >= MIN_OVERLAP * min(heights.size, other_heights.size)
     is_comparable &= variance_products > MIN_RELATIVE_VARIANCE_PRODUCT * variance_products.max()
@@ -149,7 +154,9 @@ def find_contradictions(
 ) -> list[Contradiction]:
     """Return pairs of scans whose C_iso contradict each other, the largest factor first.
 
-    `density` in nm⁴ and `reliable` are (scan, bins); sizes are in nm.
+    Two scans contradict each other if the mean difference of their ln C over some group of bins is
+    larger than MIN_CONTRADICTION_ERRORS of its standard errors. `density` in nm⁴ and `reliable` are
+    (scan, bins); sizes are in nm.
     """
     usable = np.asarray(reliable, bool) & np.isfinite(density)
     scans = zip(kinds, sizes, strict=True)
@@ -163,19 +170,27 @@ def find_contradictions(
             continue
         difference = logs[index] - logs[other_index]
         variance = variances[index] + variances[other_index]
-        # Scans are compared over all bins in which both are reliable, and over each half decade.
-        half_decades = sliding_window_view(shared_bins, min(HALF_DECADE_BINS, len(shared_bins)))
-        groups = [shared_bins, *half_decades]
-        means_and_errors = [_mean_difference(difference[bins], variance[bins]) for bins in groups]
-        most_significant = int(np.argmax([abs(mean) / error for mean, error in means_and_errors]))
-        mean, error = means_and_errors[most_significant]
-        bins = groups[most_significant]
+        bins, mean, error = _most_significant_difference(difference, variance, shared_bins)
         if abs(mean) > MIN_CONTRADICTION_ERRORS * error:
             higher, lower = (index, other_index) if mean > 0 else (other_index, index)
             shortest, longest = (2 * np.pi / BIN_CENTRES[bins[[-1, 0]]]).tolist()
             factor = float(np.exp(abs(mean)))
             contradictions.append(Contradiction(higher, lower, factor, (shortest, longest)))
     return sorted(contradictions, key=lambda contradiction: -contradiction.factor)
+
+
+def _most_significant_difference(
+    difference: Floats, variance: Floats, shared_bins: NDArray[np.int_]
+) -> tuple[NDArray[np.int_], float, float]:
+    """Return the group of bins with the most significant `_mean_difference`, its mean and error.
+
+    Groups are all bins in which both scans are reliable, and each half decade of these.
+    """
+    half_decades = sliding_window_view(shared_bins, min(HALF_DECADE_BINS, len(shared_bins)))
+    groups = [shared_bins, *half_decades]
+    means_and_errors = [_mean_difference(difference[bins], variance[bins]) for bins in groups]
+    most_significant = int(np.argmax([abs(mean) / error for mean, error in means_and_errors]))
+    return groups[most_significant], *means_and_errors[most_significant]
 
 
 def _mean_difference(difference: Floats, variance: Floats) -> tuple[float, float]:
