@@ -90,8 +90,9 @@ def _fit_all_edges(forces: xr.Dataset, tolerance: float) -> Floats:
 def _fit_edges(log_edge: Floats, log_radius_root: Floats, log_area_root: Floats) -> Floats:
     """Return the exponents (2,) of SCALED_QUANTITIES for the edges of one surface and side.
 
-    Open edges (radius, contact_area) are NaN. Exponents are NaN if fewer than four edges are found,
-    or found edges do not determine both.
+    They are a and b in ln(edge) = c + a ln √R + b ln √A, fitted by least squares, with the radius R
+    of the sphere and the area A in contact. Open edges (radius, contact_area) are NaN. Exponents
+    are NaN if fewer than four edges are found, or found edges do not determine both.
     """
     log_roots = np.broadcast_arrays(log_radius_root[:, None], log_area_root)
     is_found = np.isfinite(log_edge)

@@ -123,7 +123,12 @@ def level_and_mirror(
 
 
 def _find_streaks(heights: Floats) -> Iterator[Mask]:
-    """Yield a mask (y, x) of streaks for each width, all above or all below their neighbours."""
+    """Yield a mask (y, x) of streaks for each width, all above or all below their neighbours.
+
+    A run of pixels along x that all rise above their neighbours, or fall below, may be a streak. Or
+    it may be a ridge or a valley of the surface, but those run along y, too, where streaks do not.
+    So a run is a streak if it is more than twice as long as the longest run along y.
+    """
     for width in STREAK_WIDTHS:
         x_lengths = [_run_lengths(_high_runs(steps)) for steps in _rise_and_fall(heights, width)]
         y_lengths = [_run_lengths(_high_runs(steps)) for steps in _rise_and_fall(heights.T, width)]
@@ -135,7 +140,11 @@ def _find_streaks(heights: Floats) -> Iterator[Mask]:
 
 
 def fill_streaks(heights: Floats) -> tuple[Floats, Mask]:
-    """Return heights (y, x) with streaks filled from their neighbours, and the mask of streaks."""
+    """Return heights (y, x) with streaks filled from their neighbours, and the mask of streaks.
+
+    Each round finds streaks in the filled heights, adds them to the mask, and fills its pixels
+    anew, by interpolation along y between measured pixels. The last round finds no new streak.
+    """
     filled_heights = np.array(heights)
     is_filled = np.zeros(heights.shape, bool)
     for _ in range(MAX_FILLINGS):

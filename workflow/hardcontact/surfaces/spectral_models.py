@@ -53,9 +53,10 @@ def power_law_extrapolation(density: Floats, hurst: float) -> Floats:
 
 
 def shares_of_longer_waves(shortest: float) -> Floats:
-    """Return the share (points,) of the bin of each of WAVEVECTORS with waves above a length (nm).
+    """Return which share (points,) of the waves at each of WAVEVECTORS is longer than `shortest`.
 
-    Bins are equally wide in ln q.
+    Each of WAVEVECTORS stands for a bin of waves around it, and all bins are equally wide in ln q.
+    The share is between 0 and 1 only in the bin that contains the wavelength `shortest` (nm).
     """
     step = np.log(WAVEVECTORS[1] / WAVEVECTORS[0])
     distance_in_steps = np.log(2 * np.pi / (shortest * WAVEVECTORS)) / step
@@ -77,7 +78,11 @@ def profile_over_isotropic(wavevector: Floats, hurst: float) -> Floats:
 
 
 def isotropic_through_points(wavevector: Floats, wavelengths: Floats, profile: Floats) -> Floats:
-    """Return C_iso (nm⁴) through points of C_1D (nm³), converted with a fitted Hurst exponent."""
+    """Return C_iso (nm⁴) through points of C_1D (nm³) at wavelengths (nm).
+
+    C_1D follows a power law between neighbouring points. One Hurst exponent, fitted to all points,
+    converts it to C_iso by `profile_over_isotropic`.
+    """
     log_points = np.log(2 * np.pi / wavelengths)
     log_profile = np.log(profile)
     hurst = (-np.polyfit(log_points, log_profile, 1)[0] - 1) / 2

@@ -97,9 +97,10 @@ def _matching_label(coordinate: np.ndarray, label: str) -> Any:
 def select_estimate(estimate: xr.Dataset, labels: SelectedLabels, rule: str) -> xr.Dataset:
     """Return the single estimate that is judged, by labels from `parse_selection`.
 
-    With a dimension ``set`` it is an estimate for each set. A chain of groups, ``a > b > c``, gives
-    the smallest ratio of values of neighbouring groups. A rule with one limit takes the worst value
-    along other dimensions; with two limits, more than one estimate raises ValueError.
+    With a dimension ``set`` it is an estimate for each set. A chain of groups, ``a > b,c``, gives
+    the smallest ratio of a value to a value of the next group: forces of 4 for a, 2 for b and 1 for
+    c give 4/2. A rule with one limit takes the worst value along other dimensions. With two limits,
+    more than one estimate raises ValueError.
     """
     for dim, groups in labels.items():
         selected = [estimate.sel({dim: group}) for group in groups]
