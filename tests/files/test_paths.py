@@ -8,7 +8,7 @@ from studies import paper_configuration, study_files
 
 from hardcontact.config.configuration import study_contact
 from hardcontact.files.chunks import Chunks
-from hardcontact.files.settings import intermediates, settings_digest
+from hardcontact.files.settings import intermediate_kinds, settings_digest
 
 pytestmark = pytest.mark.usefixtures("project_folder")
 
@@ -85,5 +85,5 @@ def test_files_with_the_roughness_of_another_sphere_have_another_digest(kind):
     plan = study_files({"published": "none"}, measured_surfaces=["uncd", "ruby"]).plan
     digests = set()
     for plan.selection.sphere_digest in ("first", "second"):
-        digests.add(settings_digest(intermediates(plan), kind))
+        digests.add(settings_digest(intermediate_kinds(plan), kind))
     assert len(digests) == 2

@@ -14,7 +14,7 @@ from studies import configured_files
 
 from hardcontact.config.configuration import get_key, numeric_configuration, set_keys
 from hardcontact.config.study_plan import StudyPlan
-from hardcontact.files.settings import intermediates, settings_digest
+from hardcontact.files.settings import intermediate_kinds, settings_digest
 
 pytestmark = pytest.mark.study
 
@@ -68,7 +68,7 @@ def independent_keys(config, selection, kind):
 
     def digest(*keys):
         study = numeric_configuration(second_study(config, keys))
-        return settings_digest(intermediates(StudyPlan(study, selection)), kind)
+        return settings_digest(intermediate_kinds(StudyPlan(study, selection)), kind)
 
     keys = sorted({*dotted_keys(config)} - UNCHANGED_KEYS - PATH_KEYS)
     return tuple(key for key in keys if digest(key) == digest())
@@ -91,7 +91,7 @@ def covered_digests(kinds, name):
 
 def assert_inputs_are_covered(rows, plan):
     """Expect files of a store to have inputs of the kinds that their digest covers."""
-    kinds = intermediates(plan)
+    kinds = intermediate_kinds(plan)
     covered = {settings_digest(kinds, name): covered_digests(kinds, name) for name in kinds}
     checked_digests = set()
     for output, row in rows.items():

@@ -139,7 +139,10 @@ def _scan_faults(study: dict[str, Any], surface: str, extent: Extent) -> Iterato
 def _body_faults(
     study: dict[str, Any], surface: str, extent: Extent, sphere: Extent
 ) -> Iterator[str]:
-    """Yield the faults of window, pixels, loads and range on both bodies, with common pixels."""
+    """Yield the faults of a substrate's scans and the sphere's, both on the finer of their pixels.
+
+    They concern the window, the pixels per row, loads and the range of adhesion.
+    """
     window = study["contact"]["window"]
     pixel_size = min(extent.pixel_size, sphere.pixel_size)
     bodies = f"{surface} and the sphere"
@@ -173,11 +176,13 @@ def _master_faults(
     pixels = get_key(study, keys["pixels"])
     tiles = get_key(study, keys["tiles"]) if "tiles" in keys else 1
     size = 2 * extent.size * tiles
-    pixel_size = size / pixels
+    pixel_size = size / pixels  # of the surfaces in contact
     min_pixels = 2 * extent.pixels * tiles
     if pixels < min_pixels:
         accepted = f"at least the {min_pixels} of {tiles} x {tiles} mirrored scans of {surface}"
         yield key_fault(keys["pixels"], accepted, pixels)
+    # The transition divides the waves of the scan, on its pixels. Cutoffs divide the waves of the
+    # master: a short-edge master has pixels of its own, a long-edge master those of the scan.
     filtered_pixel_size = pixel_size if side == "short" else extent.pixel_size
     for name, finest in (("transition", extent.pixel_size), ("cutoffs", filtered_pixel_size)):
         accepted = (
@@ -207,7 +212,11 @@ def _map_faults(bodies: str, pixel_size: float, *extents: Extent) -> Iterator[st
 def _memory_faults(
     named_contact: NamedContact, surface: str, pixel_size: float, periods: float
 ) -> Iterator[str]:
-    """Yield the fault of a load whose contact pixels, each `periods` times, exceed the memory."""
+    """Yield the fault of a load whose contact pixels exceed the memory.
+
+    All contacts on a map are in memory at once. Each contact pixel counts once for each of the
+    `periods` of the map in the window.
+    """
     contact, preload_key, count_key, _ = named_contact
     reason = (
         f"with which the contact pixels of {pixel_size:.4g} nm on {surface} fit into memory at "

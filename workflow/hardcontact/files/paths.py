@@ -8,7 +8,7 @@ from typing import Any
 from hardcontact.base.units import path_token
 from hardcontact.config.keys import SMOOTH_SPHERE
 from hardcontact.config.study_plan import StudyPlan
-from hardcontact.files.settings import PURPOSES, intermediates, settings_digest
+from hardcontact.files.settings import PURPOSES, intermediate_kinds, settings_digest
 from hardcontact.surfaces.features import FEATURE_KINDS
 from hardcontact.surfaces.synthesis import SIDES
 
@@ -29,7 +29,7 @@ class StorePatterns:
     """
 
     def __init__(self, plan: StudyPlan) -> None:
-        kinds = intermediates(plan)
+        kinds = intermediate_kinds(plan)
         self.settings = {name: kind.settings for name, kind in kinds.items()}
         self.digests = {name: settings_digest(kinds, name) for name in kinds}
         store = plan.study["store"]

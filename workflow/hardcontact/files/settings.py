@@ -41,7 +41,7 @@ BASE_MEGABYTES = 500
 MINIMUM_MEGABYTES = 3000
 
 
-class Intermediate(NamedTuple):
+class IntermediateKind(NamedTuple):
     """A kind of intermediate: its settings, and the names of the kinds that it is made from."""
 
     settings: dict[str, Any]
@@ -105,10 +105,10 @@ PURPOSES = {
 }  # fmt: skip
 
 
-def intermediates(plan: StudyPlan) -> dict[str, Intermediate]:
+def intermediate_kinds(plan: StudyPlan) -> dict[str, IntermediateKind]:
     """Return the kinds of intermediates by name."""
     master_forces = {
-        name: Intermediate(
+        name: IntermediateKind(
             _master_force_settings(plan.study, purpose),
             ["masters" if purpose.masters_are_files else "both_bodies"],
         )
@@ -118,7 +118,7 @@ def intermediates(plan: StudyPlan) -> dict[str, Intermediate]:
     return _surface_kinds(plan) | contacts | master_forces
 
 
-def _surface_kinds(plan: StudyPlan) -> dict[str, Intermediate]:
+def _surface_kinds(plan: StudyPlan) -> dict[str, IntermediateKind]:
     """Return the kinds of measurements, spectra, scans and masters."""
     study = plan.study
     seed = {"seed": study["seed"]}
@@ -129,25 +129,25 @@ def _surface_kinds(plan: StudyPlan) -> dict[str, Intermediate]:
     sides = {side: {key: band[side][key] for key in keys} for side, keys in side_keys.items()}
     return {
         # Measured scans, as their files have them, and their spectra.
-        "measurements": Intermediate(reading_arguments(study)),
-        "measured_spectra": Intermediate(levelling, ["measurements"]),
+        "measurements": IntermediateKind(reading_arguments(study)),
+        "measured_spectra": IntermediateKind(levelling, ["measurements"]),
         # Spectra sampled within the uncertainty of the measurements.
-        "sampled_spectra": Intermediate({**seed, **levelling}, ["measurements"]),
+        "sampled_spectra": IntermediateKind({**seed, **levelling}, ["measurements"]),
         # Levelled and mirrored scans, measured or substitutes. With substitutes comes their
         # conditioning: how they meet Table 1. All have paths with the digest of `scans`.
-        "measured_scans": Intermediate(levelling, ["measurements"]),
-        "substitute_scans": Intermediate(_substitute_settings(study)),
-        "scans": Intermediate({}, ["measured_scans", "substitute_scans"]),
+        "measured_scans": IntermediateKind(levelling, ["measurements"]),
+        "substitute_scans": IntermediateKind(_substitute_settings(study)),
+        "scans": IntermediateKind({}, ["measured_scans", "substitute_scans"]),
         # Scans and spectra with the roughness of both bodies; unchanged if none is added.
-        "both_bodies": Intermediate(
+        "both_bodies": IntermediateKind(
             {**seed, "sphere": sphere} if plan.combined_surfaces else {},
             ["scans", "measured_spectra", "sampled_spectra"],
         ),
-        "masters": Intermediate({**seed, "sides": sides}, ["both_bodies"]),
+        "masters": IntermediateKind({**seed, "sides": sides}, ["both_bodies"]),
     }
 
 
-def _scan_contact_kinds(plan: StudyPlan) -> dict[str, Intermediate]:
+def _scan_contact_kinds(plan: StudyPlan) -> dict[str, IntermediateKind]:
     """Return the kinds of contacts on scans."""
     study = plan.study
     seed = {"seed": study["seed"]}
@@ -164,17 +164,17 @@ def _scan_contact_kinds(plan: StudyPlan) -> dict[str, Intermediate]:
     hindcast = {**seed, "contact": contact_at_range, "transitions": transitions}
     return {
         # Forces on a scan, with all scans of the sphere.
-        "pull_off": Intermediate(pull_off, ["scans"]),
-        "elastic": Intermediate({**seed, "contact": contact, **study["elastic"]}, ["scans"]),
-        "asperities": Intermediate(asperities, ["scans"]),
+        "pull_off": IntermediateKind(pull_off, ["scans"]),
+        "elastic": IntermediateKind({**seed, "contact": contact, **study["elastic"]}, ["scans"]),
+        "asperities": IntermediateKind(asperities, ["scans"]),
         # Forces on a scan with each octave changed.
-        "octave_forces": Intermediate({"contact": contact_at_range}, ["both_bodies"]),
+        "octave_forces": IntermediateKind({"contact": contact_at_range}, ["both_bodies"]),
         # Forces on a scan with random roughness in place of its outermost octaves.
-        "hindcast": Intermediate(hindcast, ["both_bodies"]),
+        "hindcast": IntermediateKind(hindcast, ["both_bodies"]),
     }
 
 
-def _random_surface_kinds(study: Mapping[str, Any]) -> dict[str, Intermediate]:
+def _random_surface_kinds(study: Mapping[str, Any]) -> dict[str, IntermediateKind]:
     """Return the kinds of contacts on whole random surfaces and on scans of the sets."""
     ranges = _all_ranges(study)
     # The posterior needs all ranges that whole surfaces permit, and only the paper's study has it.
@@ -191,16 +191,17 @@ def _random_surface_kinds(study: Mapping[str, Any]) -> dict[str, Intermediate]:
     }
     set_contact = contact | {"contacts_per_row": study["sets"]["contacts_per_row"]}
     set_scan = {**_grid_settings(study), "contact": set_contact, "ranges": ranges}
+    rms_heights = {"rms_height_count": study["sets"]["rms_height_count"]}
     return {
         # Forces on whole substitute surfaces, also with each octave changed.
-        "whole_surfaces": Intermediate({**whole_surface, "ranges": whole_ranges}),
+        "whole_surfaces": IntermediateKind({**whole_surface, "ranges": whole_ranges}),
         # Forces on the band alone. These files are not in the store, because they depend on the
         # edges that the study found.
-        "band_forces": Intermediate(whole_surface),
+        "band_forces": IntermediateKind(whole_surface),
         # Scans among which sets choose, and forces on them: without features, then with. The
         # masters of the sets are no part of the pool: their forces are a purpose of `PURPOSES`.
-        "pool": Intermediate({**set_scan, "rms_height_count": study["sets"]["rms_height_count"]}),
-        "featured_candidates": Intermediate(set_scan),
+        "pool": IntermediateKind(set_scan | rms_heights),
+        "featured_candidates": IntermediateKind(set_scan),
     }
 
 
@@ -222,7 +223,7 @@ def _substitute_settings(study: Mapping[str, Any]) -> dict[str, Any]:
     return _grid_settings(study) | {"featured_surface": study["substitutes"]["featured_surface"]}
 
 
-def settings_digest(kinds: Mapping[str, Intermediate], name: str) -> str:
+def settings_digest(kinds: Mapping[str, IntermediateKind], name: str) -> str:
     """Return the digest of the settings of a kind and of all kinds that it is made from."""
     kind = kinds[name]
     sources = [settings_digest(kinds, source) for source in kind.made_from]
