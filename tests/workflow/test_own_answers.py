@@ -13,7 +13,7 @@ from jsonschema import Draft202012Validator
 from own_studies import RANGE, WORK, read_answer, read_quantities, run_quick
 from repository import ROOT, copy_repository, run_snakemake_with_forks
 
-from hardcontact.report.figures.listing import FILE_KINDS, OWN_FIGURES
+from hardcontact.report.figures.listing import FIGURE_SUFFIXES, OWN_FIGURES
 
 pytestmark = pytest.mark.study
 
@@ -44,7 +44,7 @@ def check_answer(results, missing_figures=()):
     figures = {figure["id"].removesuffix("-figure") for figure in page.attributes["figure"]}
     assert figures == set(OWN_FIGURES) - set(missing_figures)
     figure_files = {path.name for path in (results / "figures").glob("*.*")}
-    assert figure_files >= {f"{name}.{kind}" for name in figures for kind in FILE_KINDS}
+    assert figure_files >= {f"{name}.{suffix}" for name in figures for suffix in FIGURE_SUFFIXES}
     edges, force = (xr.load_dataset(results / f"{name}.nc") for name in ("edges", "force"))
     for name, surface in read_quantities(results).items():
         if name:

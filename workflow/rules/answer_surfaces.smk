@@ -4,7 +4,7 @@
 from hardcontact.config.configuration import assumed_quantities, contact_words
 from hardcontact.config.user_files import read_yaml
 from hardcontact.records.code import page_templates
-from hardcontact.report.figures.listing import FILE_KINDS, OWN_FIGURES
+from hardcontact.report.figures.listing import FIGURE_SUFFIXES, OWN_FIGURES
 
 #: All figures, but `works` only with measured forces, because it shows the fit to them.
 DRAWN_FIGURES = [name for name in OWN_FIGURES if name != "works" or HAS_FORCES]
@@ -23,7 +23,10 @@ rule answer_surfaces:
         citation="CITATION.cff",
         pairs="resources/adhesion/pairs.csv",
     output:
-        **{kind: [RESULTS.figure(name, kind) for name in DRAWN_FIGURES] for kind in FILE_KINDS},
+        **{
+            suffix: [RESULTS.figure(name, suffix) for name in DRAWN_FIGURES]
+            for suffix in FIGURE_SUFFIXES
+        },
         **ANSWER,
     params:
         parameters=dict(

@@ -1,7 +1,7 @@
 # Named targets: datasets by subject, figures one by one, pages, and the check of files.
 # Names in capitals that are not defined here: common.smk.
 
-from hardcontact.report.figures.listing import FILE_KINDS, PAPER_FIGURES
+from hardcontact.report.figures.listing import FIGURE_SUFFIXES, PAPER_FIGURES
 
 #: Three tables lead from a target to its files: datasets, figures, others. `fit` of the user's surfaces
 #: needs measured forces.
@@ -18,7 +18,8 @@ if IS_PAPER_STUDY:
         "sets": ["sets", "posterior", "features"],
     }
     FIGURE_FILES = {
-        figure: [RESULTS.figure(figure, kind) for kind in FILE_KINDS] for figure in PAPER_FIGURES
+        figure: [RESULTS.figure(figure, suffix) for suffix in FIGURE_SUFFIXES]
+        for figure in PAPER_FIGURES
     }
     OTHER_TARGETS = {
         "claims": [RESULTS.result("claims.csv")],

@@ -5,7 +5,7 @@ import pandas as pd
 from hardcontact.base.dataset import read_dataset
 from hardcontact.config.user_files import read_yaml
 from hardcontact.records.job import run_job
-from hardcontact.report.figures.listing import FILE_KINDS
+from hardcontact.report.figures.listing import FIGURE_SUFFIXES
 from hardcontact.report.own_surfaces.answer import LIMITS, own_answer
 from hardcontact.report.own_surfaces.datasets import Datasets, Setting
 from hardcontact.report.own_surfaces.figures import write_figures
@@ -20,7 +20,7 @@ with run_job(snakemake) as job:
     setting = Setting(**job.parameters, pairs=pd.read_csv(job.input.pairs).to_dict("records"))
     answer = own_answer(datasets, setting)
     job.write_text(answer_text(answer), "json")
-    figures = write_figures(datasets, {kind: job.output[kind] for kind in FILE_KINDS})
+    figures = write_figures(datasets, {suffix: job.output[suffix] for suffix in FIGURE_SUFFIXES})
     citation = read_yaml(job.input.citation)
     frame = Frame(answer["version"])
     job.write_text(render_page(answer, figures, citation, frame, **LIMITS), "page")

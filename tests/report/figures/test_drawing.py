@@ -22,7 +22,7 @@ def simple_figure():
 
 def outputs(folder: Path) -> dict[str, str]:
     folder.mkdir(exist_ok=True)
-    return {kind: str(folder / f"figure.{kind}") for kind in drawing.FILE_KINDS}
+    return {suffix: str(folder / f"figure.{suffix}") for suffix in drawing.FIGURE_SUFFIXES}
 
 
 def test_drawing_twice_gives_the_same_bytes(tmp_path):
@@ -31,7 +31,7 @@ def test_drawing_twice_gives_the_same_bytes(tmp_path):
         with style.print_style():
             drawing.save_figure(simple_figure(), "a figure", outputs(folder))
         contents.append({path.name: path.read_bytes() for path in folder.iterdir()})
-    assert contents[0] == contents[1] and len(contents[0]) == len(drawing.FILE_KINDS)
+    assert contents[0] == contents[1] and len(contents[0]) == len(drawing.FIGURE_SUFFIXES)
     assert contents[0]["figure.pdf"].startswith(b"%PDF") and b"<svg" in contents[0]["figure.svg"]
     with Image.open(tmp_path / "first/figure.png") as image:
         assert image.size == (drawing.WIDTH * drawing.RESOLUTION, 3 * drawing.RESOLUTION)

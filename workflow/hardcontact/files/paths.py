@@ -97,7 +97,7 @@ class StudyPaths:
         return f"{self.results}/{file}"
 
     def figure(self, name: str, suffix: str) -> str:
-        """Return the path of a figure, whose suffix is one of FILE_KINDS."""
+        """Return the path of a figure, whose suffix is one of FIGURE_SUFFIXES."""
         return f"{self.results}/figures/{name}.{suffix}"
 
     def page(self, name: str) -> str:

@@ -21,7 +21,7 @@ from hardcontact.base import published
 from hardcontact.base.atomic_file import atomic_file
 from hardcontact.base.dataset import read_dataset
 from hardcontact.report.figures import style
-from hardcontact.report.figures.listing import FILE_KINDS
+from hardcontact.report.figures.listing import FIGURE_SUFFIXES
 
 WIDTH = 7.0  # inch: two columns of a journal page
 FOOTER = 0.2  # inch kept free below the axes for the line that names the substitutes
@@ -50,13 +50,15 @@ def draw_figure(
 def save_figure(
     figure: Figure, title: str, outputs: Mapping[str, str], svg_resolution: float = SVG_RESOLUTION
 ) -> None:
-    """Write a figure to its outputs by FILE_KINDS: the same bytes each time, all files or none."""
+    """Write a figure to its outputs by suffix: the same bytes each time, all files or none."""
     style.freeze_layout(figure)
     with ExitStack() as stack:
-        paths = {kind: stack.enter_context(atomic_file(outputs[kind])) for kind in FILE_KINDS}
-        for kind, left_out in (("png", {"Software": None}), ("pdf", {"CreationDate": None})):
+        paths = {
+            suffix: stack.enter_context(atomic_file(outputs[suffix])) for suffix in FIGURE_SUFFIXES
+        }
+        for suffix, left_out in (("png", {"Software": None}), ("pdf", {"CreationDate": None})):
             metadata = {"Title": title} | left_out
-            figure.savefig(paths[kind], format=kind, dpi=RESOLUTION, metadata=metadata)
+            figure.savefig(paths[suffix], format=suffix, dpi=RESOLUTION, metadata=metadata)
         Path(paths["svg"]).write_bytes(svg_bytes(figure, title, svg_resolution))
 
 

@@ -11,7 +11,7 @@ from hardcontact.base.formatting import format_share
 from hardcontact.base.published import PUBLISHED_TABLES
 from hardcontact.report import TEXTS
 
-FILE_KINDS = ("pdf", "png", "svg")
+FIGURE_SUFFIXES = ("pdf", "png", "svg")
 
 
 @dataclass(frozen=True)

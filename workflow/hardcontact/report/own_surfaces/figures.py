@@ -12,7 +12,7 @@ from matplotlib.patches import Patch
 
 from hardcontact.inference.edges import computed_cutoffs
 from hardcontact.report.figures import drawing, panels, style
-from hardcontact.report.figures.listing import FILE_KINDS, describe_figure
+from hardcontact.report.figures.listing import FIGURE_SUFFIXES, describe_figure
 from hardcontact.report.own_surfaces.datasets import (
     Datasets,
     drop_padding,
@@ -47,10 +47,10 @@ FIGURE_WIDTH = 3.8
 
 
 def write_figures(datasets: Datasets, outputs: Mapping[str, Sequence[str]]) -> dict[str, bytes]:
-    """Write each figure to the files that have its name, by kind; return the SVG by name."""
+    """Write each figure to the files that have its name, by suffix; return the SVG by name."""
     pictures = {}
     for index, svg in enumerate(outputs["svg"]):
-        files = {kind: outputs[kind][index] for kind in FILE_KINDS}
+        files = {suffix: outputs[suffix][index] for suffix in FIGURE_SUFFIXES}
         name = PurePath(svg).stem
         with style.print_style():
             figure = OWN_DRAWINGS[name](datasets)
