@@ -85,10 +85,10 @@ def asperity_sizes(
     """
     total = attraction.sum()
     is_carrier = attraction >= least_carrying_attraction(attraction, share)
-    # The box around all carriers makes labelling faster.
+    # The box around all carriers makes numbering faster.
     box = ndimage.find_objects(is_carrier.view(np.int8))[0]
-    labels, count = ndimage.label(is_carrier[box], structure=np.ones((3, 3)))
-    shares = np.sort(np.bincount(labels.ravel(), attraction[box].ravel())[1:])[::-1] / total
+    numbers, count = ndimage.label(is_carrier[box], structure=np.ones((3, 3)))
+    shares = np.sort(np.bincount(numbers.ravel(), attraction[box].ravel())[1:])[::-1] / total
     extent = _diameter_in_pixels(attraction, share) * pixel_size
     return shares[0], shares[:2].sum(), count, extent
 

@@ -14,7 +14,7 @@ from hardcontact.base.units import NEWTON, NM
 from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import Bodies, join_bodies, reference_gaps
-from hardcontact.contact.patches import label_patches
+from hardcontact.contact.patches import number_patches
 from hardcontact.contact.pull_off import count_contact_pixels
 from hardcontact.surfaces.height_map import HeightMap
 
@@ -29,10 +29,10 @@ def indent_sizes(
     gaps: Floats, offsets: NDArray[np.int_], pixel_size: float
 ) -> tuple[float, float, float, int]:
     """Return INDENT_UNITS of one contact from its `ContactPixels`: gaps (k,), offsets (k, 2)."""
-    labels, count = label_patches(offsets)
-    indent_pixel_counts = np.bincount(labels)[labels]  # by pixel, the deepest pixel first
+    numbers, count = number_patches(offsets)
+    indent_pixel_counts = np.bincount(numbers)[numbers]  # by pixel, the deepest pixel first
     # Of equally large indents, this is the deepest one.
-    largest_indent = offsets[labels == labels[indent_pixel_counts.argmax()]]
+    largest_indent = offsets[numbers == numbers[indent_pixel_counts.argmax()]]
     equal_area_side = np.sqrt(len(largest_indent)) * pixel_size
     longer_side = (np.ptp(largest_indent, axis=0).max() + 1) * pixel_size
     return gaps[-1] - gaps[0], equal_area_side, longer_side, count

@@ -8,14 +8,14 @@ from hardcontact.contact.bearing_area import ContactPixels
 from hardcontact.contact.geometry import Bodies
 
 
-def label_patches(pixels: NDArray[np.int_]) -> tuple[NDArray[np.int_], int]:
+def number_patches(pixels: NDArray[np.int_]) -> tuple[NDArray[np.int_], int]:
     """Return the number (...) of the patch of each pixel (..., 2), from 1, and the patch count."""
     corner = pixels.reshape(-1, 2).min(axis=0)
     rows, columns = np.moveaxis(pixels - corner, -1, 0)
     is_set = np.zeros((rows.max() + 1, columns.max() + 1), bool)
     is_set[rows, columns] = True
-    labels, count = scipy.ndimage.label(is_set, np.ones((3, 3)))
-    return labels[rows, columns], count
+    patch_numbers, count = scipy.ndimage.label(is_set, np.ones((3, 3)))
+    return patch_numbers[rows, columns], count
 
 
 def count_touched_patches(bodies: Bodies, contact_pixels: ContactPixels) -> int:
@@ -27,6 +27,6 @@ def count_touched_patches(bodies: Bodies, contact_pixels: ContactPixels) -> int:
     pixels = bodies.substrate.pixels
     points = (bodies.geometry.apexes()[:, :, None] + contact_pixels.offsets) % pixels
     # Fold the mirror images back onto the scan, a quarter of the map.
-    patches, _ = label_patches(np.minimum(points, pixels - 1 - points))
+    patches, _ = number_patches(np.minimum(points, pixels - 1 - points))
     # The first pixel of a contact is the deepest.
     return len(np.unique(patches[..., 0]))

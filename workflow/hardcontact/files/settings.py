@@ -66,7 +66,7 @@ class Purpose(NamedTuple):
     #: computes the forces makes the masters and forgets them.
     masters_are_files: bool = False
     masters_per_job: int = MASTERS_PER_JOB
-    # Contacts. Forces are computed for all combinations of radius, preload, model and range.
+    # Contacts. Forces are computed for all radii, preloads, contact models and ranges.
     contacts_key: str = "sets.contacts_per_row"
     #: Whether the sphere is rough if `band.sphere_roughness` says so; otherwise it is smooth.
     rough_sphere: bool = True

@@ -130,7 +130,7 @@ def fit_measured(
     for model in adhesion["contact_model"].values.tolist():
         model_forces = forces_by_surface(measured_adhesion.sel(contact_model=model), scan_sizes)
         fits[(model,)] = _fit_contact_model(model_forces, measured_forces, pixel_factors, sampling)
-    # All models have the same parts of scans, so that those of the last model serve.
+    # All contact models have the same parts of scans, so that those of the last one serve.
     interval_sources = [
         model_forces[name].scan_parts[0].interval_source
         if summary.site_count > 1

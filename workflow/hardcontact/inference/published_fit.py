@@ -75,9 +75,9 @@ def fit_published(
             for pair in progress([published.pair, fitted_pair], 2, f"force statistics, {model}")
         ]
         fits[(model,)] = fit.merge(xr.concat(statistics, pd.Index(PAIRS, name="pair")))
-    models = stack(fits, ["contact_model"])
+    fits_by_model = stack(fits, ["contact_model"])
     return (
-        models.assign(_model_error_ratio(models, sampling))
+        fits_by_model.assign(_model_error_ratio(fits_by_model, sampling))
         .assign(label=adhesion.label, source=adhesion.source)
         .assign_attrs(
             error_threshold=threshold,
@@ -87,9 +87,9 @@ def fit_published(
     )
 
 
-def _model_error_ratio(models: xr.Dataset, sampling: Sampling) -> dict[str, Any]:
+def _model_error_ratio(fits_by_model: xr.Dataset, sampling: Sampling) -> dict[str, Any]:
     """Return the smallest error of rigid contact relative to plastic contact, with an interval."""
-    errors = models[["best_error", "sampled_error"]]
+    errors = fits_by_model[["best_error", "sampled_error"]]
     ratio = errors.sel(contact_model=RIGID) / errors.sel(contact_model=PLASTIC)
     ratios = np.append(ratio["best_error"], ratio["sampled_error"])
     return sampling.sampled_variables("model_error_ratio", (), ratios, DIMENSIONLESS)

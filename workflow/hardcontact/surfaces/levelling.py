@@ -117,8 +117,8 @@ def level_and_mirror(
     levelled = flat.to_dataset()
     levelled["heights"] = levelled["heights"].astype("float32")
     if sphere_radius is not None:
-        labels = NM | {"long_name": "height of the sphere as scanned"}
-        levelled["as_scanned"] = (("y", "x"), scan.heights.astype("float32"), labels)
+        attributes = NM | {"long_name": "height of the sphere as scanned"}
+        levelled["as_scanned"] = (("y", "x"), scan.heights.astype("float32"), attributes)
     return levelled, mirror_in_float32(flat).to_dataset()
 
 
@@ -174,18 +174,18 @@ def _rise_and_fall(heights: Floats, width: int) -> tuple[Floats, Floats]:
     return rise / scale, fall / scale
 
 
-def _label_runs(mask: Mask) -> NDArray[np.intp]:
+def _number_runs(mask: Mask) -> NDArray[np.intp]:
     """Return the number (y, x) of the run along x that has each pixel; 0 for no run."""
-    labels, _ = scipy.ndimage.label(mask, structure=[[0, 0, 0], [1, 1, 1], [0, 0, 0]])
-    return np.asarray(labels, np.intp)
+    run_numbers, _ = scipy.ndimage.label(mask, structure=[[0, 0, 0], [1, 1, 1], [0, 0, 0]])
+    return np.asarray(run_numbers, np.intp)
 
 
 def _run_lengths(mask: Mask) -> NDArray[np.intp]:
     """Return the length (y, x) of the run along x that has each pixel; 0 for no run."""
-    labels = _label_runs(mask)
-    lengths = np.bincount(labels.ravel())
+    run_numbers = _number_runs(mask)
+    lengths = np.bincount(run_numbers.ravel())
     lengths[0] = 0
-    return np.asarray(lengths[labels])
+    return np.asarray(lengths[run_numbers])
 
 
 def _high_runs(steps: Floats) -> Mask:
@@ -193,5 +193,5 @@ def _high_runs(steps: Floats) -> Mask:
     is_certain = steps > MIN_STREAK_STEPS
     if not is_certain.any():
         return is_certain
-    labels = _label_runs(steps > MIN_END_STEPS)
-    return np.isin(labels, labels[is_certain])
+    run_numbers = _number_runs(steps > MIN_END_STEPS)
+    return np.isin(run_numbers, run_numbers[is_certain])
