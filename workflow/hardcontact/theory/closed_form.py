@@ -84,7 +84,11 @@ def smooth_force(contact: Contact) -> float:
 
 
 def surface_term(apex_level: ArrayLike, relative_rms: ArrayLike) -> Floats:
-    """Return the surface term exp(s²/2 - ts) Φ(t - s) at levels t and relative rms heights s."""
+    """Return the surface term exp(s²/2 - ts) Φ(t - s) at levels t and relative rms heights s.
+
+    A level t is the height of the apex relative to the rms height, s the rms height relative to the
+    range of adhesion.
+    """
     t = np.asarray(apex_level)
     s = np.asarray(relative_rms)
     return np.asarray(np.exp(s**2 / 2 - t * s + special.log_ndtr(t - s)))
@@ -95,7 +99,10 @@ def closed_form(
 ) -> ClosedForm:
     """Return the mean pull-off force over contacts of a sphere on a Gaussian surface.
 
-    If `rough_close_points`, points just below the sphere lie on rough summits, too.
+    The force is that of DMT times the sum of surface term, summit term and contact term (Eq. 1 of
+    theory.md). The sphere rests on the highest summits, at a level that differs between positions,
+    so the first two terms are means over the distribution of this level. If `rough_close_points`,
+    points just below the sphere lie on rough summits, too.
     """
     dmt_force = float(dmt_pull_off(contact.work, contact.radius))
     rough_spectrum = find_rough_spectrum(spectrum, contact.radius)
@@ -119,17 +126,23 @@ def _mean_terms(
     apex: ApexDistribution,
     contact: Contact,
     rough_close_points: bool,
-    generations: int = MAX_GENERATIONS,
+    generations_left: int = MAX_GENERATIONS,
 ) -> tuple[float, float]:
-    """Return the surface term and the summit term, averaged over levels of the apex."""
+    """Return the surface term and the summit term, averaged over levels of the apex.
+
+    A summit may be rough itself. `summit_ratio`, beta in theory.md, is the force on it relative to
+    a smooth summit: the sum of the same two terms for the roughness on the summit. So this function
+    calls itself, until a summit is smooth or no generation is left. `summit_ratio` multiplies the
+    summit term and, if `rough_close_points`, the share of close points in the surface term.
+    """
     relative_rms = np.sqrt(spectral_moment(spectrum, 0)) / contact.rho
-    summit_ratio = 1.0  # Beta in theory.md: force on a rough summit relative to a smooth one.
-    summit = _roughness_on_summit(spectrum, apex, contact)
-    if summit is not None and generations:
-        summit_spectrum, summit_contact = summit
+    summit_ratio = 1.0
+    rough_summit = _roughness_on_summit(spectrum, apex, contact)
+    if rough_summit is not None and generations_left:
+        summit_spectrum, summit_contact = rough_summit
         summit_apex = apex_distribution(summit_spectrum, summit_contact.radius, summit_contact.area)
         terms = _mean_terms(
-            summit_spectrum, summit_apex, summit_contact, rough_close_points, generations - 1
+            summit_spectrum, summit_apex, summit_contact, rough_close_points, generations_left - 1
         )
         summit_ratio = min(sum(terms), 1.0)
     surface_terms = surface_term(apex.levels, relative_rms)
@@ -139,10 +152,16 @@ def _mean_terms(
 
 
 def _close_share(apex: ApexDistribution, relative_rms: float) -> Floats:
-    """Return the share (n,) of close points in the attraction (theory.md, Close points)."""
-    summit_height = 1 / max(apex.mean(), 1.0)  # relative to the rms height
+    """Return the share (n,) of close points in the attraction (theory.md, Close points).
+
+    The gap of a close point is less than eta, the mean height of a summit. If the sphere were lower
+    by eta, close points would no longer attract, and all others e^(eta/rho) times as strongly. With
+    M for `both_terms`, the others therefore have the share e^(-eta/rho) M(m - eta)/M(m).
+    """
+    summit_height = 1 / max(apex.mean(), 1.0)  # eta relative to the rms height
 
     def both_terms(level: Floats) -> Floats:
+        """Return the sum of surface term and summit term at levels of the apex."""
         return surface_term(level, relative_rms) + special.ndtr(-level)
 
     other_points = np.exp(-summit_height * relative_rms) * both_terms(apex.levels - summit_height)
@@ -152,7 +171,11 @@ def _close_share(apex: ApexDistribution, relative_rms: float) -> Floats:
 def _roughness_on_summit(
     spectrum: Spectrum, apex: ApexDistribution, contact: Contact
 ) -> tuple[Spectrum, Contact] | None:
-    """Return spectrum and contact of a rough summit (theory.md, Rough summits), None if smooth."""
+    """Return spectrum and contact of a rough summit (theory.md, Rough summits), None if smooth.
+
+    Its spectrum has the waves that are short beside the summit. Its contact is that of a sphere
+    with the radius of the summit, which cannot carry more than hardness times its area.
+    """
     min_wavevector = 2 * np.pi / (MAX_WAVELENGTH_PER_HALF_WIDTH * apex.half_width)
     summit_spectrum = spectrum_between(spectrum, min_wavevector, np.inf)
     min_variance = (MIN_ROUGHNESS_PER_RANGE * contact.rho) ** 2
@@ -176,7 +199,9 @@ def filtered_spectrum(spectrum: Spectrum, side: str, cutoff: float) -> Spectrum:
 def critical_band(spectrum: Spectrum, contact: Contact, tolerance: float) -> tuple[float, float]:
     """Return the short and the long edge (nm) of the band of wavelengths that decide the force.
 
-    An edge is NaN if no cutoff changes the force by the tolerance.
+    From either end of the spectrum, more and more waves are removed, until the force has changed by
+    the tolerance. The edge lies between the last two cutoffs. It is NaN if no cutoff changes the
+    force so much.
     """
     wavelengths = spectrum.wavelength[spectrum.density > 0]
     if not len(wavelengths):
@@ -188,7 +213,7 @@ def critical_band(spectrum: Spectrum, contact: Contact, tolerance: float) -> tup
 
     def edge_of_side(side: str, side_cutoffs: Floats) -> float:
         """Return the edge of a side; no wave is removed at the first cutoff."""
-        curve = [0.0]
+        curve = [0.0]  # ln of the force relative to that with all waves
         for cutoff in side_cutoffs[1:]:
             filtered = filtered_spectrum(spectrum, side, cutoff)
             dmt_ratio = closed_form(filtered, contact, rough_close_points=False).dmt_ratio
