@@ -49,9 +49,18 @@ def prediction(
 ) -> dict[str, Number]:
     """Predict the pull-off force and both edges of a sphere on a rough surface, in closed form.
 
-    If the error is not known, intervals are NaN, and force and finite edges are OUTSIDE. Scans with
-    steep sidewalls have no edges and the force NaN. Raises ValueError if `trim_spectrum` refuses
-    the spectrum; messages call it `name`.
+    Intervals come from surfaces on which the error of the closed form is known. It is known for
+    this spectrum if its assumptions hold, and if such surfaces have similar parameters. Four
+    assumptions must hold:
+
+    - the spectrum has no wide gap, and its longest octave hardly matters;
+    - heights are not skewed, as far as scans tell;
+    - if scans are extrapolated already, the error is known for their reliable waves;
+    - the waves that an extrapolation adds hardly matter.
+
+    Otherwise intervals are NaN, and force and finite edges are OUTSIDE. Scans with steep sidewalls
+    have no edges and the force NaN. Raises ValueError if `trim_spectrum` refuses the spectrum;
+    messages call it `name`.
     """
     trimmed = trim_spectrum(spectrum, name)
     inputs = _input_numbers(trimmed, contact, tolerance)
@@ -67,6 +76,7 @@ def prediction(
         reliable_force = _reliable_force(scans, contact, tolerance, name)
         checks.append(reliable_force)
         assumptions_hold &= reliable_force.status == Validity.INSIDE
+    # The fourth assumption does not apply to the extrapolated spectrum itself.
     extrapolation = _extrapolate(spectrum, trimmed)
     extrapolated: list[Number] = []
     if extrapolation is not None and _adds_waves(extrapolation, trimmed):

@@ -80,8 +80,13 @@ def table_point(spectrum: Spectrum, contact: Contact, form: ClosedForm) -> dict[
 def mean_hurst_and_change(spectrum: Spectrum, contact_length: float) -> tuple[float, float]:
     """Return the mean Hurst exponent of a spectrum, and its change per decade of wavevector.
 
-    A parabola is fitted to log C_iso against log q, from the peak wavelength to the longer of
-    contact and shortest wave. NaN if the contact is longer than the peak wavelength.
+    A parabola is fitted to log10 C_iso from the peak wavelength to the longer of contact and
+    shortest wave. With x for the decades of q from the middle of this range,
+
+        log10 C_iso = curvature x² + slope x + constant.
+
+    In the middle the slope is -2 - 2H, and per decade it changes by 2 curvature = -2H'. NaN if the
+    contact is longer than the peak wavelength.
     """
     lowest, highest = 2 * np.pi / peak_wavelength(spectrum), spectrum.wavevector[-1]
     decades = math.log10(min(highest, 2 * np.pi / contact_length) / lowest)
@@ -94,9 +99,11 @@ def mean_hurst_and_change(spectrum: Spectrum, contact_length: float) -> tuple[fl
 
 
 def nearest_ratios(point: Mapping[str, Any], name: str) -> tuple[float, float]:
-    """Return the smallest and the largest ratio on the surfaces of the table nearest to a point.
+    """Return the smallest and the largest ratio of computed to predicted values near a point.
 
-    A point outside the table is moved to its border. Another regime counts as a factor e away.
+    They are those of the NEAREST_SURFACES in the table. The distance to a surface is that of the
+    logarithms of two parameters, `axes`, so that a factor e counts as one. Another regime adds one.
+    A point outside the table is first moved to its border.
     """
     surfaces = held_out_surfaces().dropna(subset=f"{name}_ratio")
     axes = ["weibull_modulus", "contact_over_peak_wavelength"]
