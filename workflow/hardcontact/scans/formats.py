@@ -4,7 +4,7 @@ import math
 import re
 from collections.abc import Iterator
 from contextlib import suppress
-from typing import Any
+from typing import Any, NoReturn
 
 import numpy as np
 from SurfaceTopography import Topography
@@ -156,19 +156,9 @@ def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[
     refuse_point_counts(channel.nb_grid_pts)
     has_positions = channel.dim == 1 and channel.is_uniform is False
     size = None if has_positions else tuple(metadata.get("size") or ()) or None
-    if size is not None and not (len(size) == channel.dim and all(0 < x < math.inf for x in size)):
-        raise RefusedFile(f"expected a size of {channel.dim} positive numbers, found {size}")
-    scale = metadata.get("height_scale")
-    if scale is not None and not 0 < scale < math.inf:
-        raise RefusedFile(f"expected a positive height scale, found {scale}")
+    _refuse_metadata(channel, metadata, size)
     if channel.physical_sizes is None and size is None and not has_positions:
-        lacks_unit = channel.unit is None and "unit" not in metadata
-        remedy = ", and --unit nm (scan.unit: nm) the unit of the heights" if lacks_unit else ""
-        raise RefusedFile(
-            f"expected a file that states the physical size{' and unit' if lacks_unit else ''} of "
-            "the scan, found none: "
-            f"--size 5000nm (scan.map_size: 5000nm) gives the longer side{remedy}"
-        )
+        _refuse_without_size(channel, metadata)
     arguments = _accepted_arguments(channel, metadata | {"size": size})
     topography = channel.topography(**arguments)
     is_text_line = isinstance(channel.reader, XYZReader) and topography.dim == 1
@@ -179,6 +169,28 @@ def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[
         metadata = metadata | {"size": " x ".join(f"{length:.6g}" for length in size)}
     keys = [KEY_BY_ARGUMENT[argument] for argument in arguments]
     return topography, [f"{key} {metadata[key]}" for key in keys]
+
+
+def _refuse_metadata(
+    channel: Any, metadata: dict[str, Any], size: tuple[float, ...] | None
+) -> None:
+    """Refuse a size or a height scale that is impossible."""
+    if size is not None and not (len(size) == channel.dim and all(0 < x < math.inf for x in size)):
+        raise RefusedFile(f"expected a size of {channel.dim} positive numbers, found {size}")
+    scale = metadata.get("height_scale")
+    if scale is not None and not 0 < scale < math.inf:
+        raise RefusedFile(f"expected a positive height scale, found {scale}")
+
+
+def _refuse_without_size(channel: Any, metadata: dict[str, Any]) -> NoReturn:
+    """Refuse a channel whose size neither the file nor the metadata state."""
+    lacks_unit = channel.unit is None and "unit" not in metadata
+    remedy = ", and --unit nm (scan.unit: nm) the unit of the heights" if lacks_unit else ""
+    raise RefusedFile(
+        f"expected a file that states the physical size{' and unit' if lacks_unit else ''} of "
+        "the scan, found none: "
+        f"--size 5000nm (scan.map_size: 5000nm) gives the longer side{remedy}"
+    )
 
 
 def _refuse_point_columns(channel: Any) -> None:

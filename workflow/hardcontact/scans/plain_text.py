@@ -39,7 +39,12 @@ SPLINE_ITERATIONS = 10
 
 
 def readable_text(content: bytes) -> tuple[bytes, list[str]]:
-    """Return the bytes of a scan, which are rewritten if they are plain text, and notes."""
+    """Return the bytes of a scan, which are rewritten if they are plain text, and notes.
+
+    Rows are the lines of numbers. They are rewritten in this order: words in them become nan,
+    decimal commas become points, other separators become blanks, and missing points of a grid are
+    added.
+    """
     text = _decode_text(content)
     if text is None:
         return content, []
@@ -50,23 +55,31 @@ def readable_text(content: bytes) -> tuple[bytes, list[str]]:
     column_count = len(CELL.findall(lines[rows_start]))
     lines[rows_start:] = [_mark_undefined(line, column_count) for line in lines[rows_start:]]
     row_indices = [index for index, line in enumerate(lines) if NUMBERS.fullmatch(line)]
-    notes = []
-    rows_text = "\n".join(lines[index] for index in row_indices)
+    lines, notes = _replace_decimal_commas(lines, "\n".join(lines[index] for index in row_indices))
+    if not text.startswith(OWN_SEPARATORS):
+        lines, grid_notes = _rewrite_rows(lines, row_indices)
+        notes += grid_notes
+    return ("\n".join(lines) + "\n").encode(), notes
+
+
+def _replace_decimal_commas(lines: list[str], rows_text: str) -> tuple[list[str], list[str]]:
+    """Return lines with points for commas, and a note, if all commas of the rows are decimal."""
     has_commas_only = "," in rows_text and "." not in rows_text
     if has_commas_only and BETWEEN_CELLS.search(rows_text) and not CELL_COMMA.search(rows_text):
-        lines = [DECIMAL_COMMA.sub(".", line) for line in lines]
-        notes.append("decimal commas read")
-    if not text.startswith(OWN_SEPARATORS):
-        rows = _separate_with_blanks([lines[index] for index in row_indices])
-        points = _parse_points(rows)
-        grid_rows, grid_notes = ([], []) if points is None else _grid_points(points)
-        notes += grid_notes
-        if grid_rows:
-            lines = [*lines[:rows_start], *grid_rows]
-        else:
-            for index, row in zip(row_indices, rows, strict=True):
-                lines[index] = row
-    return ("\n".join(lines) + "\n").encode(), notes
+        return [DECIMAL_COMMA.sub(".", line) for line in lines], ["decimal commas read"]
+    return lines, []
+
+
+def _rewrite_rows(lines: list[str], row_indices: list[int]) -> tuple[list[str], list[str]]:
+    """Return lines whose rows have blanks between cells, or are all points of a grid; and notes."""
+    rows = _separate_with_blanks([lines[index] for index in row_indices])
+    points = _parse_points(rows)
+    grid_rows, notes = ([], []) if points is None else _grid_points(points)
+    if grid_rows:
+        return [*lines[: row_indices[0]], *grid_rows], notes
+    for index, row in zip(row_indices, rows, strict=True):
+        lines[index] = row
+    return lines, notes
 
 
 def _decode_text(content: bytes) -> str | None:

@@ -100,7 +100,11 @@ def list_scans(path: str | Path) -> list[str]:
 def read_in_child(
     reader: Callable[..., dict[str, Any]], path: Path, *arguments: str | float
 ) -> dict[str, Any]:
-    """Return what a reader makes of the bytes of a file in a child process, or raise ValueError."""
+    """Return what a reader makes of the bytes of a file in a child process, or raise ValueError.
+
+    The child sends two messages, the fields as JSON and the heights as a NumPy array, because to
+    load them runs no code. If the child is killed for its time or memory, no message comes.
+    """
     size = _file_size(path)
     seconds = min(MAX_SECONDS, SMALL_FILE_SECONDS + SECONDS_PER_MEGABYTE * size // 2**20)
     memory = min(MAX_MEMORY, SMALL_FILE_MEMORY + MEMORY_PER_BYTE * size)
@@ -194,6 +198,7 @@ def _replace_control_characters(value: Any) -> Any:
 
 
 def _limit_resources(seconds: int, memory: int) -> None:
+    """Limit the time (s) and the added memory (bytes) of this process, and let it open no file."""
     limits = {
         resource.RLIMIT_CORE: 0,
         resource.RLIMIT_FSIZE: 0,  # writes nothing
