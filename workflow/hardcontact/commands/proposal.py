@@ -166,7 +166,11 @@ def _effort_choices(
 
 
 def _master_count(substrates: Sequence[UserScan], effort: Effort, is_slow: bool) -> int:
-    """Return the number of masters on each side; at full effort few scans make equally many."""
+    """Return the number of masters on each side.
+
+    At full effort each scan of the surface with most scans makes equally many, unless these are
+    more than twice the masters of a single scan.
+    """
     masters = effort.slow_master_count if is_slow else effort.master_count
     scan_counts = Counter(scan.scan_file.surface for scan in substrates)
     most_scans = max(scan_counts.values())
@@ -237,7 +241,10 @@ def _transition_choices(
 def _decisive_scans(
     substrates: Sequence[UserScan], sphere_scans: Sequence[UserScan], end: str
 ) -> list[UserScan]:
-    """Return the scans whose body is the rougher one at this end of their band; all if none is."""
+    """Return the scans that are rougher than the other body at an end of their reliable band.
+
+    `end` is ``"shortest"`` or ``"longest"``. Without such scans all are returned.
+    """
     bodies = [(scan, sphere_scans) for scan in substrates]
     bodies += [(scan, substrates) for scan in sphere_scans]
     rough_scans = [scan for scan, partners in bodies if _is_rougher(scan, partners, end)]

@@ -1,4 +1,4 @@
-"""The contacts of a proposal: window, range and number; and the pixels of its masters."""
+"""The contacts of a proposal, with their window, range and number, and the pixels of masters."""
 
 import math
 from collections.abc import Sequence

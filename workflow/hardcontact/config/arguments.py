@@ -179,7 +179,7 @@ def check_cutoffs(cutoffs: Mapping[str, Sequence[float]], surface: HeightMap) ->
 
 
 def make_periodic(surface: HeightMap, name: str = "scan") -> HeightMap:
-    """Return a periodic map as it is, another map mirrored; refuse what is no valid map."""
+    """Return a map as it is if it is periodic, mirrored otherwise; refuse an invalid map."""
     if not isinstance(surface, HeightMap):
         raise ValueError(
             f"{name}: expected a scan of hc.read_scan(FILE), or hc.HeightMap(heights, pixel_size) "

@@ -2,10 +2,10 @@
 
 Few faults are reported of many, so that each line tells the user something new:
 
-- Each surface has several series of limits: for its scans, for its contact with the sphere, and for
+- A surface has several series of limits: for its scans, for its contact with the sphere, and for
   the masters of each side and section. Of a series only the first fault counts, because later
   limits may assume earlier ones.
-- Of the faults that are left, a surface has one for each key, because one value often exceeds
+- Then, for each surface, only the first fault of each key counts, because one value often exceeds
   several limits.
 """
 
@@ -62,8 +62,8 @@ class NamedContact(NamedTuple):
 def study_contacts(study: dict[str, Any]) -> dict[str, NamedContact]:
     """Return the contact on scans, in indents, and on masters of band and sets.
 
-    Where keys give several radii, preloads or ranges, it has those that pixels and memory limit
-    most: the smallest radius, the largest preload, the shortest range.
+    Of several radii, preloads or ranges it has the one that pixels and memory limit most. These are
+    the smallest radius, the largest preload and the shortest range.
     """
     contact = study_contact(study)
     scan_contact = NamedContact(replace(contact, rho=study["adhesion"]["ranges"][0]))

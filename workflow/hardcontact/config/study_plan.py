@@ -86,7 +86,7 @@ class StudyPlan:
 
     @property
     def featured_surface(self) -> str | None:
-        """The substitute of the paper whose scans have features; None if the study has it not."""
+        """The substitute of the paper whose scans have features, None in a study without it."""
         surface = self.study["substitutes"]["featured_surface"]
         return surface if surface in self.selection.sampled_substrates else None
 

@@ -85,7 +85,7 @@ class UserTable(NamedTuple):
     def map_rows(self, function: Callable[[Row], Result]) -> dict[int, Result]:
         """Return the results of a function of each row, by line; refuse a table with faulty rows.
 
-        Faults that differ only in what was found are one line of the message, which names the first
+        Faults that differ only in what was found make one line of the message. It names the first
         row and counts the others.
         """
         results = dict[int, Result]()

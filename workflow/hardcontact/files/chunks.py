@@ -1,4 +1,4 @@
-"""Chunks: what one job computes together; the fields of a chunk are wildcards of its path."""
+"""Chunks: what one job computes together. The fields of a chunk are the wildcards of its path."""
 
 from dataclasses import replace
 from math import ceil

@@ -25,7 +25,8 @@ class StorePatterns:
     """The paths of intermediates, with wildcards in braces where a rule makes several files.
 
     Paths have digests of all settings on which a file depends, and of the rows of its surface in
-    the table of surfaces, so that two studies share equal files and keep different ones apart.
+    the table of surfaces. So studies share files that would be equal, and keep others apart.
+    Radius, loading and range stand in paths, too, so that people find a file.
     """
 
     def __init__(self, plan: StudyPlan) -> None:

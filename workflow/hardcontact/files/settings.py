@@ -1,7 +1,7 @@
 """The settings of each kind of intermediate: all that its rule takes from the configuration.
 
-A path has a digest of these settings and of those of the kinds that the file is made from, so that
-a changed setting makes new files.
+The path of a file has a digest of these settings, and of the settings of the kinds that the file is
+made from. So a changed setting makes new files.
 
 Forces on masters are needed for several purposes, with other masters and other contacts for each.
 `PURPOSES` lists the purposes; `workflow/README.md` has them as a table.
@@ -124,6 +124,7 @@ def _surface_kinds(plan: StudyPlan) -> dict[str, IntermediateKind]:
     seed = {"seed": study["seed"]}
     levelling = {"levelling": study["scan"]["levelling"]}
     sphere = [plan.selection.sphere, plan.selection.sphere_digest, study["sphere"]["radius"]]
+    # A long-edge master has the pixels of its scan; its key `pixels` is for the forces on it.
     side_keys = {"short": ("pixels", "transition"), "long": ("tiles", "transition")}
     band = study["band"]
     sides = {side: {key: band[side][key] for key in keys} for side, keys in side_keys.items()}
@@ -247,6 +248,7 @@ def _master_force_settings(study: Mapping[str, Any], purpose: Purpose) -> dict[s
             for side in purpose.sides
         },
         "radii": radii if isinstance(radii, list) else [radii],
+        # A loading is a preload, a hardness and a contact model.
         "loadings": [
             {"preload": share * contact.preload, "hardness": contact.hardness, "plastic": plastic}
             for share in purpose.preload_shares

@@ -57,8 +57,8 @@ class Job(NamedTuple):
 def run_job(snakemake: Any) -> Iterator[Job]:
     """Run the block of a script as a job: log it, yield its `Job`, keep records of its outputs.
 
-    Inputs are refused if somebody changed them after a job had written them, or if they change
-    while the block runs.
+    An input is refused if somebody changed it after a job had written it. The job also fails if an
+    input changes while the block runs.
     """
     # Jobs make hardly any reference cycles; looking for them takes a twentieth of their time.
     gc.disable()
@@ -86,7 +86,7 @@ def run_job(snakemake: Any) -> Iterator[Job]:
 
 @contextmanager
 def job_log(path: str | Path) -> Iterator[None]:
-    """Log a job; an error goes to the log in full, to stderr in one line, and ends the job."""
+    """Log a job. An error ends the job: the log has its traceback, stderr one line."""
     # If the log cannot be written, only the line on stderr is left.
     logging.raiseExceptions = False
     logging.lastResort = None

@@ -1,7 +1,7 @@
 """The origin of a file: its parameters, inputs, code and the versions of packages.
 
-For every file that a job makes, a hidden folder beside it has a record of the origin and of the
-SHA-256 of the file. Records decide what a run makes again.
+Each file that a job makes has a record of its origin and of its own SHA-256, in the hidden folder
+RECORDS beside it. Records decide what a run makes again.
 """
 
 import hashlib

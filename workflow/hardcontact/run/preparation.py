@@ -64,8 +64,8 @@ def prepare_run(workflow: Any) -> None:
 def _refuse_elsewhere(workflow: Any) -> None:
     """Refuse a run in another folder than the top folder of the clone whose library is installed.
 
-    The rules and the main Snakefile must be in this clone, too: no other workflow can use the rules
-    as a module.
+    The rules and the main Snakefile must be in this clone, too. So no other workflow can use the
+    rules as a module.
     """
     rules_folder = Path(workflow.current_basedir.get_path_or_uri(secret_free=True)).resolve()
     snakefile = Path(workflow.main_snakefile).resolve()
@@ -195,7 +195,7 @@ def _changed_values(config: Mapping[str, Any], reference: Mapping[str, Any]) -> 
 
 
 def yaml_values(value: Any) -> Any:
-    """Return a value whose texts, at any depth, are read as YAML; text that is no YAML stays."""
+    """Return a value with its texts, at any depth, read as YAML; text that is no YAML stays."""
     if isinstance(value, dict):
         return {key: yaml_values(item) for key, item in value.items()}
     if isinstance(value, list):

@@ -44,12 +44,12 @@ class Changes(NamedTuple):
 class Reruns:
     """Finds what changed since the files of a run were made; jobs are Snakemake's.
 
-    A file is made again if a parameter, a version or the content of an input is not as its record
-    says. An input may be missing, because somebody deleted the store. Then there is no content to
-    compare, but there are lineages. The lineage of a file is one digest of its parameters, of the
-    versions and of the lineages of its inputs, back to files that no job makes. So the lineage that
-    a file would have now follows from these files and from parameters alone. If it is as recorded,
-    the missing input would be the same as before, and the file need not be made again.
+    A file is made again if a parameter, a version or the content of an input is not as recorded. If
+    an input is missing, because somebody deleted the store, no content can be compared. Therefore
+    lineages are compared. The lineage of a file is one digest of its parameters, of versions, and
+    of the lineages of its inputs. The lineage of a file that no job makes is its SHA-256. So the
+    present lineage of each file can be found without files that jobs make. If it is as recorded,
+    the missing input would be made as before, and the file is not made again.
     """
 
     def __init__(self, dependencies: Mapping[Any, Mapping[Any, Iterable[str]]]) -> None:
@@ -187,8 +187,8 @@ async def _no_time(job: Any) -> None:
 def _recorded_change(persistence: Any, job: Any, file: str | None = None) -> ParamsChange:
     """Return the changed parameters and versions of a job, or of one of its files.
 
-    This takes the place of `PersistenceBase.params_changed`. Changed inputs have no field in its
-    result, so they are added to the reasons of the job, which `snakemake -n` lists.
+    This takes the place of `PersistenceBase.params_changed`, whose result has no field for inputs.
+    So changed inputs are added to the reasons of the job, which `snakemake -n` lists.
     """
     paths = [path for path in ([file] if file else job.output) if os.path.isfile(path)]
     reruns = _reruns(persistence.dag)
