@@ -197,7 +197,7 @@ def test_a_scan_and_its_spectrum_are_predicted_like_the_file(files):
     )
     path = scan_files.write_scan(files / "wide.nc", wide.heights.T, (10240.0, 10240.0))
     command_numbers = predict_json(str(path))
-    scan_numbers = hc.predict(hc.read_scan(path), **contact)
+    numbers_of_scan = hc.predict(hc.read_scan(path), **contact)
     measured_numbers = hc.predict(hc.read_spectrum(path), **contact)
     extrapolated_numbers = hc.predict(hc.read_spectrum(path, extrapolated=True), **contact)
     for prefix, numbers in {"": measured_numbers, "extrapolated_": extrapolated_numbers}.items():
@@ -213,7 +213,9 @@ def test_a_scan_and_its_spectrum_are_predicted_like_the_file(files):
     assert reliable_force.value == measured_numbers["closed_form_force"].value
     assert reliable_force.status == "inside"
     for name in ("closed_form_force", "extrapolated_force", "short_edge"):
-        assert scan_numbers[name].value == pytest.approx(command_numbers[name]["value"], rel=1e-4)
+        assert numbers_of_scan[name].value == pytest.approx(
+            command_numbers[name]["value"], rel=1e-4
+        )
 
 
 def test_an_extrapolated_force_without_a_known_error_has_a_reason(files):

@@ -19,7 +19,7 @@ from hardcontact.contact.geometry import count_window_pixels
 from hardcontact.own import scan_force
 from hardcontact.own.own_spectrum import OwnSpectrum, add_sphere_roughness
 from hardcontact.own.scan_contact import contact_on_scan
-from hardcontact.own.scan_force import force_on_scan
+from hardcontact.own.scan_force import scan_force_numbers
 from hardcontact.scans.joined_spectrum import joined_spectrum, reliable_spectrum
 from hardcontact.surfaces.levelling import level_plane
 
@@ -160,7 +160,7 @@ def test_a_force_that_is_not_computed_has_a_reason():
         ([scan], short_range, "short_range"),
     ):
         own_spectrum = OwnSpectrum(spectrum, (), tuple(scans))
-        numbers = force_on_scan(own_spectrum, contact, 0.95)
+        numbers = scan_force_numbers(own_spectrum, contact, 0.95)
         assert numbers["force_on_scan"].status == status
         assert np.isnan(numbers["force_on_scan"].value)
-    assert force_on_scan(OwnSpectrum(spectrum, ()), CONTACT, 0.95) == {}
+    assert scan_force_numbers(OwnSpectrum(spectrum, ()), CONTACT, 0.95) == {}

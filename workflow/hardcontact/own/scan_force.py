@@ -65,18 +65,18 @@ def prediction_and_scan_force(
     Messages call the spectrum `name`.
     """
     numbers = prediction(own_spectrum.spectrum, contact, tolerance, name)
-    scan_numbers = force_on_scan(own_spectrum, contact, confidence)
-    closed_form_on_scan = scan_numbers.get("closed_form_on_scan")
+    scan_force = scan_force_numbers(own_spectrum, contact, confidence)
+    closed_form_on_scan = scan_force.get("closed_form_on_scan")
     # A closed form that fails on the map has no known error for its spectrum, either.
     if closed_form_on_scan is not None and closed_form_on_scan.status != ClosedFormStatus.AGREES:
         for quantity in numbers.keys() & CLOSED_FORM_NAMES:
             number = numbers[quantity]
             status = Validity.OUTSIDE if math.isfinite(number.value) else number.status
             numbers[quantity] = number._replace(low=math.nan, high=math.nan, status=status)
-    return scan_numbers | numbers
+    return scan_force | numbers
 
 
-def force_on_scan(
+def scan_force_numbers(
     own_spectrum: OwnSpectrum, contact: Contact, confidence: float
 ) -> dict[str, Number]:
     """Return the numbers of the force on the only map, or why it has none; empty for a table."""
@@ -92,7 +92,7 @@ def force_on_scan(
     scan = scans[0]
     mirrored_scan = mirror_in_float32(scan)
     contact = contact_on_scan(scan, contact)
-    surface_forces = _surface_forces(scan, mirrored_scan, body_maps, contact)
+    surface_forces = _plastic_forces(scan, mirrored_scan, body_maps, contact)
     wide_pixel_ratio = _wide_pixel_ratio(scan, mirrored_scan, contact)
     # Finer pixels may lower forces, but not raise them: the factor lowers the low end of intervals.
     pixel_factor = float(np.fmax(wide_pixel_ratio, 1.0))
@@ -110,7 +110,7 @@ def force_on_scan(
     )
 
 
-def _surface_forces(
+def _plastic_forces(
     scan: HeightMap, mirrored_scan: HeightMap, body_maps: Sequence[HeightMap], contact: Contact
 ) -> SurfaceForces:
     """Return the plastic forces (N) of a smooth sphere, or of a rough sphere at many positions."""
