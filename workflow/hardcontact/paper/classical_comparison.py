@@ -41,7 +41,7 @@ def apply_classical_models(
     fit: xr.Dataset,
     constants: Mapping[Any, float],
     table1: pd.DataFrame,
-    printed: pd.DataFrame,
+    published_forces: pd.DataFrame,
     sampling: Sampling,
 ) -> xr.Dataset:
     """Return classical.nc, from fit.nc and the tables of `published`.
@@ -51,7 +51,7 @@ def apply_classical_models(
     """
     rows = table1.pivot(index="surface", columns="quantity", values=["value", "uncertainty"])
     rows = rows.dropna()
-    printed_means = printed["mean_force"].dropna()
+    printed_means = published_forces["mean_force"].dropna()
     published_surfaces = rows.index.intersection(printed_means.index)
     surfaces = [name for name in fit["surface"].values.tolist() if name in published_surfaces]
     radius = fit.attrs["sphere_radius"]

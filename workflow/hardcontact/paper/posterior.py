@@ -64,13 +64,13 @@ def sample_range_and_work(
 
 
 def posterior_of_forces(
-    mean_forces: xr.DataArray, published: pd.DataFrame, sampling: Sampling
+    mean_forces: xr.DataArray, published_forces: pd.DataFrame, sampling: Sampling
 ) -> xr.Dataset:
     """Return `summarize_samples` of the posterior; surfaces without a published mean do not enter.
 
     The computed mean forces (replicate, surface, rho) are in N at 1 J/m².
     """
-    targets = published.reindex(mean_forces["surface"].values).dropna(subset="mean_force")
+    targets = published_forces.reindex(mean_forces["surface"].values).dropna(subset="mean_force")
     forces = mean_forces.sel(surface=targets.index).transpose("replicate", "surface", "rho")
     ranges = fine_ranges(forces["rho"].values)
     curves = interpolate_to_ranges(forces.values, forces["rho"].values, ranges)
@@ -88,7 +88,7 @@ def posterior_of_forces(
 def posterior_dataset(
     sets: xr.Dataset,
     whole_surface_forces: xr.DataArray | None,
-    published: pd.DataFrame,
+    published_forces: pd.DataFrame,
     sampling: Sampling,
 ) -> xr.Dataset:
     """Return posterior.nc: posteriors (forces_on, left_out) of all surfaces, and without each.
@@ -105,7 +105,8 @@ def posterior_dataset(
     for forces_on, mean_forces in forces.items():
         for left_out in (NONE_LEFT_OUT, *mean_forces["surface"].values.tolist()):
             other_forces = mean_forces.drop_sel(surface=left_out, errors="ignore")
-            posteriors[forces_on, left_out] = posterior_of_forces(other_forces, published, sampling)
+            posterior = posterior_of_forces(other_forces, published_forces, sampling)
+            posteriors[forces_on, left_out] = posterior
     # Claims about all surfaces take the names of surfaces from the coordinate.
     result = stack(posteriors, ["forces_on", "left_out"]).assign_coords(surface=sets["surface"])
     return result.assign_attrs(confidence=sampling.confidence)
