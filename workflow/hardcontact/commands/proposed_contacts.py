@@ -16,7 +16,7 @@ from hardcontact.contact.numerical_limits import (
     penetration_depth,
     periods_in_window,
 )
-from hardcontact.own.scan_contact import window_on_scans
+from hardcontact.own.scan_contact import choose_window
 
 #: The longest range of adhesion (nm) that is proposed if none is given, as in the paper's study.
 #: Scans that permit only longer ranges are refused before any reason is printed.
@@ -71,7 +71,7 @@ def choose_contact(
 
 def _window_on_scans(scans: Sequence[UserScan], contact: Contact) -> tuple[float, str]:
     """Return the width of the window (nm) that a contact on scans needs, and the reason."""
-    return window_on_scans(
+    return choose_window(
         max(scan.rms_height for scan in scans),
         min(scan.pixel_size for scan in scans),
         min(scan.size for scan in scans),

@@ -35,7 +35,7 @@ class Obstacle(StrEnum):
     TOO_LARGE, SHORT_RANGE = "too_large", "short_range"
 
 
-def window_on_scans(
+def choose_window(
     rms_height: float, min_pixel_size: float, min_scan_size: float, radius: float, rho: float
 ) -> tuple[float, str]:
     """Return the width of the window on scans, and what decides it; all lengths are in nm."""
@@ -57,7 +57,7 @@ def window_on_scans(
 
 def contact_on_scan(scan: HeightMap, contact: Contact) -> Contact:
     """Return a contact with the window that a study of a scan would have."""
-    window, _ = window_on_scans(
+    window, _ = choose_window(
         float(scan.heights.std()), scan.pixel_size, scan.size, contact.radius, contact.rho
     )
     return replace(contact, window=window)
