@@ -59,7 +59,7 @@ class NamedContact(NamedTuple):
     rho_key: str = "adhesion.ranges"
 
 
-def study_contacts(study: dict[str, Any]) -> dict[str, NamedContact]:
+def strictest_contacts(study: dict[str, Any]) -> dict[str, NamedContact]:
     """Return the contact on scans, in indents, and on masters of band and sets.
 
     Of several radii, preloads or ranges it has the one that pixels and memory limit most. These are
@@ -130,7 +130,7 @@ def _scan_faults(study: dict[str, Any], surface: str, extent: Extent) -> Iterato
     # `Extent` has the width before mirroring, so a long-edge master counts with half its width. Its
     # pixel size stays that of the scan.
     master_extent = extent._replace(size=extent.size * study["band"]["long"]["tiles"])
-    for stage, named_contact in study_contacts(study).items():
+    for stage, named_contact in strictest_contacts(study).items():
         uses_masters = stage in ("band", "sets") and not is_sphere
         faults = contact_faults(named_contact, surface, master_extent if uses_masters else extent)
         yield from (f"config key {fault}" for fault in faults)
@@ -150,7 +150,7 @@ def _body_faults(
         accepted = f"at most {MAX_MAP_PIXELS} pixels of {pixel_size:.4g} nm, on {bodies}"
         yield key_fault("contact.window", accepted, count_window_pixels(window, pixel_size))
     yield from _map_faults(bodies, pixel_size, extent, sphere)
-    contacts = study_contacts(study)
+    contacts = strictest_contacts(study)
     periods = periods_in_window(window, extent.size)
     for named_contact in contacts.values():
         yield from _memory_faults(named_contact, surface, pixel_size, periods)
@@ -197,7 +197,7 @@ def _master_faults(
         pixel_size = min(pixel_size, sphere.pixel_size)
         bodies = f"the {side}-edge masters of {surface} and the sphere"
         yield from _map_faults(bodies, pixel_size, extent._replace(size=size / 2), sphere)
-    yield from _memory_faults(study_contacts(study)[section], surface, pixel_size, 1)
+    yield from _memory_faults(strictest_contacts(study)[section], surface, pixel_size, 1)
 
 
 def _map_faults(bodies: str, pixel_size: float, *extents: Extent) -> Iterator[str]:
