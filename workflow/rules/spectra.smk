@@ -35,7 +35,7 @@ rule aggregate_spectra:
             surfaces=SELECTION.surfaces,  # the order of the inputs
             labels=SELECTION.labels,
             descriptions={
-                surface: SELECTION.description(surface) for surface in SELECTION.substitutes
+                surface: SELECTION.description_path(surface) for surface in SELECTION.substitutes
             },
         ),
     script:

@@ -33,7 +33,7 @@ SETTINGS = STORE.settings
 CHUNKS = Chunks(FILES)
 CONTACT_ARGUMENTS = contact_arguments(STUDY)
 DESCRIPTION_INPUTS = {
-    "description": lambda w: SELECTION.description(w.surface),
+    "description": lambda w: SELECTION.description_path(w.surface),
     "tables": lambda w: SELECTION.tables(w.surface),
 }
 SUBSTITUTE_INPUTS = {

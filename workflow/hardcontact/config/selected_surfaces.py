@@ -121,13 +121,13 @@ class Selection:
         """Return the dataset or channel that the table names for a scan; empty for a substitute."""
         return str(self._cells.dataset[surface, scan]) if surface in self.measured_surfaces else ""
 
-    def description(self, surface: str) -> str:
+    def description_path(self, surface: str) -> str:
         """Return the file that describes the spectrum of a substitute."""
         return self.path(surface, self.contact_scan_numbers(surface)[0])
 
     def tables(self, surface: str) -> list[str]:
         """Return the paths of the tables of points that the description of a substitute names."""
-        description = self.description(surface)
+        description = self.description_path(surface)
         names = read_segments(description).table.dropna().unique()
         return [(Path(description).parent / name).as_posix() for name in names]
 
