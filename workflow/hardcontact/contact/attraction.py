@@ -80,8 +80,10 @@ def asperity_sizes(
 ) -> tuple[float, float, int, float]:
     """Return the quantities of ASPERITY_UNITS for the asperities that carry a share of the force.
 
-    Shares are of the strongest and the two strongest asperities. The extent is the diameter (nm) of
-    the circle about the centre of force that holds the share. The attraction (n, n) has any unit.
+    The asperities are the connected groups of the fewest pixels that carry this share. Returns the
+    shares that the strongest and the two strongest carry, the number of asperities, and the extent.
+    The extent is the diameter (nm) of the circle about the centre of force that holds the share.
+    The attraction (n, n) has any unit.
     """
     total = attraction.sum()
     is_carrier = attraction >= least_carrying_attraction(attraction, share)
@@ -94,9 +96,13 @@ def asperity_sizes(
 
 
 def least_carrying_attraction(attraction: Floats, share: float) -> float:
-    """Return the smallest attraction of the fewest pixels that carry a share of the total."""
+    """Return the smallest attraction of the fewest pixels that carry a share of the total.
+
+    The fewest pixels are the strongest, added up until they carry the share.
+    """
     total = attraction.sum()
-    # Pixels below (1 - share) of the mean carry less than 1 - share together.
+    # Sorting all pixels would be slow. Those weaker than (1 - share) times the mean are not needed,
+    # because even all pixels with this attraction would carry only 1 - share.
     strong = np.sort(attraction[attraction > (1 - share) * total / attraction.size])[::-1]
     weakest_index = np.searchsorted(np.cumsum(strong), share * total)
     return float(strong[min(weakest_index, len(strong) - 1)])

@@ -77,30 +77,39 @@ class HalfSpace:
 def contact_forces(influence: Floats, gaps: Floats, load: float) -> tuple[Floats, float]:
     """Return the contact forces (k,) on pixels with gaps (k,), and the approach (nm) of the bodies.
 
-    Contact forces (nN) repel; they add up to the load. Source: the primal-dual active set of
+    Contact forces (nN) repel, and add up to the load. A pixel that touches has no gap left, any
+    other pixel has no force. If it were known which pixels touch, these equations would give the
+    forces on them, and the separation of the bodies, which raises all gaps:
+
+        influence @ forces + separation = -gaps,    sum(forces) = load.
+
+    So first all pixels touch. Then pixels whose force would be negative are released, and pixels
+    that would overlap are added, until nothing changes. Source: the primal-dual active set of
     Hintermüller, Ito and Kunisch, SIAM J. Optim. 13 (2002) 865.
     """
-    touching = np.ones(len(gaps), bool)
+    is_touching = np.ones(len(gaps), bool)
     for _ in range(MAX_ITERATIONS):
-        system = np.pad(influence[np.ix_(touching, touching)], (0, 1), constant_values=1.0)
+        # The last row and column of the system are those of the load and the separation.
+        system = np.pad(influence[np.ix_(is_touching, is_touching)], (0, 1), constant_values=1.0)
         system[-1, -1] = 0.0
-        *solution, separation = np.linalg.solve(system, np.append(-gaps[touching], load))
+        *touching_forces, separation = np.linalg.solve(system, np.append(-gaps[is_touching], load))
         forces = np.zeros(len(gaps))
-        forces[touching] = solution
-        # The separation raises all gaps; the approach is its negative.
+        forces[is_touching] = touching_forces
         gaps_left = gaps + influence @ forces + separation
-        now_touching = np.where(touching, forces > 0, gaps_left < 0)
-        if np.array_equal(now_touching, touching):
+        touches_next = np.where(is_touching, forces > 0, gaps_left < 0)
+        if np.array_equal(touches_next, is_touching):
             return forces, -separation
-        touching = now_touching if now_touching.any() else gaps == gaps.min()
+        is_touching = touches_next if touches_next.any() else gaps == gaps.min()
     raise ValueError(f"{EXPECTED_EQUILIBRIUM}, found none")
 
 
 def press(half_space: HalfSpace, gap: Floats, load: float) -> tuple[Floats, Floats]:
     """Return contact forces (n, n) in nN under a load (nN), and the gap (n, n) in nm that is left.
 
-    A constant added to `gap` changes nothing. At first the lowest pixels may touch, then also those
-    that would overlap. Raises ValueError if they are more than MAX_TOUCHING_PIXELS.
+    The matrix of `contact_forces` would be too large for all pixels. So only candidates may touch:
+    at first the lowest pixels, then also pixels that overlap under the forces on the candidates,
+    until none overlaps. A constant added to `gap` changes nothing. Raises ValueError if candidates
+    are more than MAX_TOUCHING_PIXELS.
     """
     if load == 0:  # The lowest pixel touches without a force.
         return np.zeros_like(gap), gap - gap.min()
@@ -137,8 +146,11 @@ def adhesive_pull_off(
 ) -> tuple[float, float]:
     """Return the pull-off forces (N) of one window, rigid and elastic.
 
-    The elastic force is the maximum of attraction minus load, over loads (the paper, elastic
-    analysis). Raises ValueError if attraction stretches the bodies by over rho/10.
+    Without elasticity the force is the attraction when one pixel touches. Elastic bodies may also
+    press against each other where they touch, with a load, which deforms them and brings more
+    pixels close. The force that pulls them is then attraction minus load; its maximum over loads is
+    the elastic pull-off force (the paper, elastic analysis). Raises ValueError if attraction
+    stretches the bodies by over rho/10.
     """
     rigid_gap = gap - gap.min()
     strength = work / rho * pixel_size**2
@@ -154,7 +166,11 @@ def adhesive_pull_off(
         )
 
     def pull(load: float, attraction: Floats) -> tuple[float, Floats]:
-        """Return attraction less load, and the attraction (n, n), in equilibrium, both in nN."""
+        """Return attraction less load, and the attraction (n, n), in equilibrium, both in nN.
+
+        The attraction stretches the bodies and changes the gap, which changes the attraction. So
+        both are computed in turn until they agree; `attraction` is the first guess.
+        """
         for _ in range(MAX_ITERATIONS):
             _, gap_left = press(half_space, rigid_gap - half_space.displacement(attraction), load)
             former_attraction = attraction
@@ -207,11 +223,12 @@ def solve_elastic_contacts(
             window_gap = square_around_lowest(gap, pull_off_pixels)
             pressure = pressure_at_load(period_gap, pixel_size, modulus, contact.preload)
             forces = adhesive_pull_off(window_gap, pixel_size, modulus, contact.work, contact.rho)
-            touching = pressure[pressure > 0]
-            area = touching.size * pixel_size**2
-            share = float(np.mean(touching > contact.hardness))
+            contact_pressures = pressure[pressure > 0]
+            area = contact_pressures.size * pixel_size**2
+            share = float(np.mean(contact_pressures > contact.hardness))
+            peak, mean = contact_pressures.max(), contact_pressures.mean()
             # In the order of ELASTIC_UNITS.
-            metrics.append((area, share, touching.max(), touching.mean(), *forces))
+            metrics.append((area, share, peak, mean, *forces))
             pressures.append(pressure)
     variables = variables_of_columns(np.array(metrics), "contact", ELASTIC_UNITS)
     return xr.Dataset(
