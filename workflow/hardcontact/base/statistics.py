@@ -113,8 +113,13 @@ def join_ends(low: xr.DataArray, high: xr.DataArray) -> xr.DataArray:
 def student_log_samples(rng: np.random.Generator, values: Floats, sample_count: int) -> Floats:
     """Sample the mean (samples, ...) of positive values (n, ...) on n independent scans.
 
-    The samples have the distribution of `student_log_interval`. One random weight serves all
-    elements of a scan, so that they stay correlated. NaN for n < 2.
+    A sample is the mean of the values times exp(log_deviation). With x for the values of a scan,
+
+        log_deviation = sum over scans of normal/scale (ln x - mean of ln x)/sqrt(n (n - 1)).
+
+    With normal weights alone its standard deviation would be the standard error of the mean of
+    ln x. The random `scale` makes it a variable of Student's t, as in `student_log_interval`.
+    All elements of a scan have the same weight, so that they stay correlated. NaN for n < 2.
     """
     count = len(values)
     if count < 2:
@@ -131,8 +136,10 @@ def student_log_samples(rng: np.random.Generator, values: Floats, sample_count: 
 def jackknife_interval(value: ArrayLike, leave_one_out: ArrayLike, confidence: float) -> Floats:
     """Return the interval (..., 2) of a positive statistic of n scans by the jackknife.
 
-    `leave_one_out` (n, ...) has the statistic without each scan. NaN for fewer than two scans, or
-    if a statistic is not positive.
+    `leave_one_out` (n, ...) has the statistic without each scan. Leaving out one of n scans changes
+    a mean by only 1/(n - 1) of the distance of this scan from it, so that the squared error of the
+    statistic's logarithm is n - 1 times the variance of these logarithms. NaN for fewer than two
+    scans, or if a statistic is not positive.
     """
     statistics = np.asarray(leave_one_out, float)
     logarithms = np.log(np.where(statistics > 0, statistics, np.nan))
