@@ -162,8 +162,12 @@ def _closed_form_number(
 ) -> Number:
     """Return the force in closed form for all wavelengths of the mirrored scan.
 
-    `small_scan_ratio` raises the high end of its interval, `pixel_factor` lowers the low end. The
-    interval is NaN unless the force on the scan agrees.
+    The closed form assumes Gaussian heights, and here it has the waves of `force`, the sum over the
+    pixels. So both must agree within the error of the closed form, if the heights are Gaussian.
+    Errors come from the nearest designed surfaces. On a small scan the sum is too large, so
+    `small_scan_ratio` raises the high end of the interval. Finer pixels may lower the force, so the
+    low end is divided by `pixel_factor`, but not before the comparison. The interval is NaN unless
+    both forces agree.
     """
     wavevector, _, density = measured_psds(mirrored_scan)
     has_waves = np.isfinite(density)

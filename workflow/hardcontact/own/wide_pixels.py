@@ -1,4 +1,8 @@
-"""Forces on pixels four times as wide, which estimate how much finer pixels would lower forces."""
+"""Forces on pixels four times as wide, which estimate how much finer pixels would lower forces.
+
+Wide pixels blunt narrow summits, so the bodies come closer and attract more strongly. If the force
+rises by a factor on wide pixels, finer pixels than those of the scan may lower it by this factor.
+"""
 
 from dataclasses import replace
 
@@ -15,6 +19,7 @@ WIDE_PIXEL_WIDTH = 4
 
 def widen_pixels(surface: HeightMap) -> HeightMap:
     """Return a map whose square blocks of WIDE_PIXEL_WIDTH pixels a side have their mean height."""
+    # The last block of a row is narrower if the pixels are no multiple of the width.
     starts = np.arange(0, surface.pixels, WIDE_PIXEL_WIDTH)
     counts = np.diff(starts, append=surface.pixels)
     sums = np.add.reduceat(np.add.reduceat(surface.heights.astype(float), starts, 0), starts, 1)
