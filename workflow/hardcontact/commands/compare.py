@@ -51,12 +51,12 @@ def compare(arguments: Namespace) -> str:
     if names[0] == names[1]:
         names = [arguments.first, arguments.second]
     first_sets, second_sets = (_read_sets(path) for path in paths)
-    changed_inputs, numbers = compare_answers(*answers)
+    differing_inputs, numbers = compare_answers(*answers)
     pairing_of_sets = pairing(first_sets, second_sets)
     if pairing_of_sets == "paired":
         numbers = add_paired_intervals(numbers, first_sets, second_sets)
     facts = {
-        "studies": names, "inputs": changed_inputs, "digits": EQUAL_DIGITS,
+        "studies": names, "inputs": differing_inputs, "digits": EQUAL_DIGITS,
         "pairing": pairing_of_sets,
         "confidence": first_sets["sets"].attrs["confidence"] if first_sets else None,
         "numbers": sorted(numbers, key=lambda number: number.sort_key),

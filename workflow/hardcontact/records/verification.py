@@ -68,13 +68,13 @@ def _output_faults(
 def _input_faults(records: Mapping[str, Record], digests_now: Mapping[str, str]) -> Iterator[str]:
     """Yield a line for each file whose inputs are no longer those that it was made from."""
     for path, record in sorted(records.items()):
-        changed_inputs = [
+        changed_input_paths = [
             input_path
             for input_path, recorded_digest in sorted(record.input_digests.items())
             if digests_now.get(input_path, recorded_digest) != recorded_digest
         ]
-        if changed_inputs and path in digests_now:
-            yield f"{path}: does not match its input {', '.join(changed_inputs)}"
+        if changed_input_paths and path in digests_now:
+            yield f"{path}: does not match its input {', '.join(changed_input_paths)}"
 
 
 def _unrecorded_faults(folder: str | Path, traced_paths: Iterable[str]) -> Iterator[str]:

@@ -57,7 +57,7 @@ class Agreement(StrEnum):
 AGREEMENT_RANKS = {Agreement.CHANGED: 0, Agreement.DIFFERENT: 1, Agreement.EQUAL: 3}
 
 
-class ChangedInput(NamedTuple):
+class DifferingInput(NamedTuple):
     """An input that differs: its name, and the values of both studies, texts or Numbers."""
 
     surface: str  #: Label; empty for the whole study.
@@ -121,7 +121,7 @@ class ComparedNumber(NamedTuple):
 
 def compare_answers(
     first: Mapping[str, Any], second: Mapping[str, Any]
-) -> tuple[list[ChangedInput], list[ComparedNumber]]:
+) -> tuple[list[DifferingInput], list[ComparedNumber]]:
     """Return the inputs that differ between two answers, and the results that both have.
 
     Raises ValueError if the studies are not of the same kind.
@@ -131,24 +131,26 @@ def compare_answers(
             f"{second['study']}: expected a study of the kind of {first['study']}, "
             f"{first['kind']}, found {second['kind']}"
         )
-    inputs = [*_changed_inputs(first, second)]
+    inputs = [*_differing_inputs(first, second)]
     results = []
     for number in _numbers_of_both(first, second):
         if number.first.source not in INPUT_SOURCES:
             results.append(number)
         # `_changed_contact` compares the inputs of contacts.
         elif number.name.replace("_", " ") not in first["contact"] and not number.is_equal:
-            inputs.append(ChangedInput(number.surface, number.name, number.first, number.second))
+            inputs.append(DifferingInput(number.surface, number.name, number.first, number.second))
     return inputs, results
 
 
-def _changed_inputs(first: Mapping[str, Any], second: Mapping[str, Any]) -> Iterator[ChangedInput]:
+def _differing_inputs(
+    first: Mapping[str, Any], second: Mapping[str, Any]
+) -> Iterator[DifferingInput]:
     """Yield the inputs of contacts, the surfaces and the effort that differ between two answers."""
     first_texts, second_texts = map(_input_texts, (first, second))
     for name in first_texts | second_texts:
         first_text, second_text = first_texts.get(name, ""), second_texts.get(name, "")
         if first_text != second_text:
-            yield ChangedInput("", name, first_text, second_text)
+            yield DifferingInput("", name, first_text, second_text)
 
 
 def _input_texts(answer: Mapping[str, Any]) -> dict[str, str]:

@@ -66,9 +66,11 @@ class Reruns:
             return Changes({f"no complete record of {path}"}, set(), set())
         recorded = _key_value_texts(record.parameters | record.versions)
         current = _key_value_texts(job.params.parameters | versions())
-        return Changes(recorded - current, current - recorded, self._changed_inputs(job, record))
+        return Changes(
+            recorded - current, current - recorded, self._changed_input_paths(job, record)
+        )
 
-    def _changed_inputs(self, job: Any, record: Record) -> set[str]:
+    def _changed_input_paths(self, job: Any, record: Record) -> set[str]:
         """Return inputs that changed; missing inputs only if the lineage of the outputs changed."""
         if job not in self._input_digests:
             self._input_digests[job] = {path: self._digest(path) for path in _input_paths(job)}
