@@ -44,6 +44,7 @@ def read_fields(
     """Return fields of a `HeightMap` from a file; the options are as in `api.read_scan`."""
     reader, container_metadata, notes = open_scan(content, dataset)
     unit = unit.replace("angstrom", "Å")
+    # The dataset names a scan in a container, or else a channel of the file.
     channel, channel_notes = _find_height_channel(
         reader, container_metadata.get("data_source"), "" if container_metadata else dataset
     )

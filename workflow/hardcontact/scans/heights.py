@@ -138,6 +138,7 @@ def _crop_to_square(heights: np.ma.MaskedArray) -> np.ma.MaskedArray:
     if not corner_regions.all() or central.mask.mean() > MAX_UNDEFINED_SHARE:
         return central
     is_in_aperture = np.pad(~np.isin(regions, corner_regions), 1)
+    # The largest square within the aperture is around the pixel farthest from its outside.
     distance = scipy.ndimage.distance_transform_cdt(is_in_aperture, "chessboard")[1:-1, 1:-1]
     centre = np.unravel_index(distance.argmax(), distance.shape)
     reach = int(distance.max()) - 1

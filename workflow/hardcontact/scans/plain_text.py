@@ -197,7 +197,11 @@ def _grid_axis(positions: Floats) -> Floats:
 
 
 def _crowded_axis(positions: Floats, extent: float) -> Floats:
-    """Return the evenly spaced positions (k,) near which positions (n,) crowd most."""
+    """Return the evenly spaced positions (k,) near which positions (n,) crowd most.
+
+    Positions that crowd near evenly spaced lines have a histogram that is nearly periodic. Its
+    spectrum has a peak, which gives the spacing of the lines, and with its phase their offset.
+    """
     counts, edges = np.histogram(positions, POSITION_BINS)
     spectrum = np.fft.rfft(counts, ZERO_PADDING * POSITION_BINS)
     # The spectrum of n lines has its peak at n - 1 periods.

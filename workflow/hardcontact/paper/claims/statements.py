@@ -28,7 +28,10 @@ SAMPLED_DATASETS = {
 
 
 class ClaimRow(Keys):
-    """A claim: a row of the table of statements."""
+    """A row of the table of statements, as it is checked before a run.
+
+    A run then uses the row as a `selection.Claim`.
+    """
 
     id: Annotated[str, Matching("[a-z0-9_]+", "a name")]
     main: Annotated[str, Matching("([1-9][0-9]*)?", "the rank of a main statement or nothing")]
