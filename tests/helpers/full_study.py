@@ -1,4 +1,4 @@
-"""The numbers of a finished study that a study with fewer repetitions should find as well.
+"""The numbers of a finished study that a study with fewer random surfaces should find as well.
 
     python tests/helpers/full_study.py results/paper
 

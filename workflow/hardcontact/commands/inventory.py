@@ -14,7 +14,7 @@ from hardcontact.scans.defects import level_and_list_defects
 from hardcontact.scans.measured_spectrum import isotropic_psd
 from hardcontact.scans.reading import ReadingOptions, list_scans
 from hardcontact.scans.reliable_band import ReliableBand, reliable_band
-from hardcontact.scans.scan_pairs import coarse_map, repetition_notes
+from hardcontact.scans.scan_pairs import coarse_map, repeated_area_notes
 from hardcontact.surfaces.height_map import HeightMap
 
 
@@ -84,8 +84,8 @@ def read_inventory(
     if not scans and not problems:
         problems += unreadable
     problems += _copy_faults(scans)
-    kept_scans, repetitions = _leave_out_repetitions(scans)
-    return kept_scans, unreadable + repetitions, problems
+    kept_scans, repeated = _leave_out_repeated_areas(scans)
+    return kept_scans, unreadable + repeated, problems
 
 
 def _read_file(
@@ -124,13 +124,13 @@ def _copy_faults(scans: Sequence[UserScan]) -> Iterator[str]:
             yield f"{other.name}: expected each scan once, found that of {scan.name} again"
 
 
-def _leave_out_repetitions(scans: Sequence[UserScan]) -> tuple[list[UserScan], list[str]]:
+def _leave_out_repeated_areas(scans: Sequence[UserScan]) -> tuple[list[UserScan], list[str]]:
     """Return the scans whose area no earlier scan shows, and a line for each other scan."""
     kept_scans: list[UserScan] = []
     lines: list[str] = []
     for surface_scans in scans_by_surface(scans).values():
         maps = [scan.coarse_map for scan in surface_scans]
-        notes = repetition_notes(maps, [scan.name for scan in surface_scans])
+        notes = repeated_area_notes(maps, [scan.name for scan in surface_scans])
         kept_scans += [scan for index, scan in enumerate(surface_scans) if index not in notes]
         lines += notes.values()
     return kept_scans, lines

@@ -19,7 +19,7 @@ from hardcontact.scans.reliable_band import ReliableBand
 from hardcontact.scans.scan_pairs import (
     describe_contradictions,
     find_contradictions,
-    repetition_notes,
+    repeated_area_notes,
 )
 from hardcontact.surfaces.height_map import HeightMap, mirror_in_float32
 from hardcontact.surfaces.metrics import metrics
@@ -109,7 +109,7 @@ def _spectrum_of_scans(scans: Sequence[HeightMap], tip_radius: float | None = No
     Of scans of the same area only the first counts. Scans that state no tip radius get `tip_radius`
     (nm).
     """
-    repeated = repetition_notes(scans, [scan.name for scan in scans])
+    repeated = repeated_area_notes(scans, [scan.name for scan in scans])
     scans = [scan for index, scan in enumerate(scans) if index not in repeated]
     defects = [
         (scan.name, defect_sentence(code, numbers))

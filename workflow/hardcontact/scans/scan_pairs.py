@@ -66,7 +66,7 @@ def earlier_scans_of_areas(scans: Sequence[HeightMap]) -> list[int | None]:
     return earlier_indices
 
 
-def repetition_notes(scans: Sequence[HeightMap], names: Sequence[str]) -> dict[int, str]:
+def repeated_area_notes(scans: Sequence[HeightMap], names: Sequence[str]) -> dict[int, str]:
     """Return a line, by index, on each scan that shows the area of an earlier scan."""
     return {
         index: f"{names[index]}: it shows the same area as {names[earlier]}, "
