@@ -212,7 +212,10 @@ def extrapolate_short_waves(
 
 
 def _find_tail_end(density: Floats) -> tuple[int, TailEnd]:
-    """Return the last index of WAVEVECTORS within all bounds, and the bound exceeded first."""
+    """Return the last index of WAVEVECTORS within all bounds, and the bound exceeded first.
+
+    Gradient and half-Laplacian include all waves up to a wavevector, so they grow with it.
+    """
 
     def rms(exponent: int, divisor: int) -> Floats:
         """Return the root of ∫ q^exponent C_iso d ln q / (2 pi divisor), up to each wavevector."""
@@ -231,14 +234,23 @@ def _find_tail_end(density: Floats) -> tuple[int, TailEnd]:
 
 
 def extrapolate_long_waves(density: Floats, longest: float, slope: float, rolloff: float) -> Floats:
-    """Return C_iso with d ln C/d ln q = `slope`, clipped to -4 to 0, up to `rolloff` (nm)."""
-    relative = np.maximum(2 * np.pi / WAVEVECTORS / longest, 1.0)
+    """Return C_iso with d ln C/d ln q = `slope`, clipped to -4 to 0, up to `rolloff` (nm).
+
+    `density` is constant above the wavelength `longest`. There it is multiplied by
+    (wavelength/longest)^-slope, which is constant beyond the roll-off.
+    """
+    wavelength_ratio = np.maximum(2 * np.pi / WAVEVECTORS / longest, 1.0)
+    rolloff_ratio = max(rolloff / longest, 1.0)
     exponent = -np.clip(slope, STEEPEST_SELF_AFFINE_SLOPE, 0.0)
-    return np.asarray(density * np.minimum(relative, max(rolloff / longest, 1.0)) ** exponent)
+    return np.asarray(density * np.minimum(wavelength_ratio, rolloff_ratio) ** exponent)
 
 
 def share_after_levelling(wavevector: Floats, size: float, kind: str) -> Floats:
-    """Return the share (q,) of variance that levelling leaves of waves of random directions."""
+    """Return the share (q,) of variance that levelling leaves of waves of random directions.
+
+    Levelling removes the mean of the heights, and their mean slope along each axis. Of a wave that
+    is long beside the scan, these are almost all of the variance. The matrices are (q, direction).
+    """
     angle = (np.arange(DIRECTION_COUNT) + 0.5) * np.pi / 2 / DIRECTION_COUNT
     # Below this phase the share would be lost in rounding.
     half_phase = np.maximum(wavevector[:, None] * size / 2, 1e-3)
@@ -269,14 +281,16 @@ class RolloffEvidence:
         self._scan_count = len(widest_scans)
         # The mean variance of the levelled heights in nm².
         self._variance = float(np.mean([level_plane(scan).heights.var() for scan in widest_scans]))
+        # The mean C_iso (bins,) in nm⁴, and the bins of short waves that may hold noise.
         self._measured_density = np.nan_to_num(densities[is_widest]).mean(axis=0)
         shortest = min(band.shortest for band in bands if band.longest == longest)
         self._is_unreliable = 2 * np.pi / BIN_CENTRES < shortest
         self._share_after_levelling = share_after_levelling(WAVEVECTORS, self._size, kind)
         # Independent modes per ln q: q²L²/4π in a map, qL/2π along a line, but at least 1, because
         # waves longer than the scan appear as a bow.
-        waves = WAVEVECTORS * self._size / (2 * np.pi)
-        self._mode_count = np.maximum(waves if kind == "line scan" else np.pi * waves**2, 1)
+        waves_in_size = WAVEVECTORS * self._size / (2 * np.pi)
+        modes = waves_in_size if kind == "line scan" else np.pi * waves_in_size**2
+        self._mode_count = np.maximum(modes, 1)
 
     def rolloff_quantile(
         self, density: Floats, longest: float, slope: float, probability: float
