@@ -69,7 +69,8 @@ def percentile_interval(samples: ArrayLike, confidence: float) -> Floats:
 def widen_interval(dataset: xr.Dataset, name: str, error: xr.DataArray) -> xr.Dataset:
     """Return a dataset with a wider interval of a positive variable, by an independent error.
 
-    The error is a factor, NaN if there is none.
+    The error is a factor, NaN if there is none. On either side its logarithm and that of the
+    interval add in squares.
     """
     value = dataset[name]
     log_error = abs(np.log(error.fillna(1)))
@@ -96,7 +97,12 @@ def student_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.Da
 
 
 def student_log_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.DataArray:
-    """Return Student's interval (..., end) of a mean logarithm, moved to the mean of the values."""
+    """Return Student's interval (..., end) of a mean logarithm, moved to the mean of the values.
+
+    Logarithms of values that scatter by factors are nearly normal, as Student's t assumes. But
+    exp(mean logarithm) is less than the mean. So the mean is multiplied by the ratios of the ends
+    to exp(mean logarithm).
+    """
     logarithms: xr.DataArray = xr.apply_ufunc(np.log, values)
     about_zero = student_interval(logarithms, confidence, dim) - logarithms.mean(dim)
     interval: xr.DataArray = values.mean(dim) * xr.apply_ufunc(np.exp, about_zero)
@@ -177,9 +183,9 @@ class Sampling:
         return generator(self.seed, *self.stream, *names)
 
     def sample_means(self, name: str, values: xr.DataArray, dim: str) -> xr.DataArray:
-        """Return (sample, surface, ...): the means over scans along `dim`, then samples of them.
+        """Return means over scans along `dim` (sample, surface, ...). Missing scans are NaN.
 
-        Missing scans are NaN.
+        The first is the mean itself, the others are random samples of it.
         """
         values = values.transpose("surface", dim, ...)
         means = values.mean(dim)

@@ -70,6 +70,7 @@ class HalfSpace:
 
     def influence(self, candidates: NDArray[np.int_]) -> Floats:
         """Return the displacements (k, k) in nm of pixels (k, 2) by 1 nN on each of them."""
+        # It depends on the distance of two pixels alone.
         rows, columns = (candidates[:, None] - candidates).transpose(2, 0, 1) % len(self._response)
         return np.asarray(self._response[rows, columns])
 

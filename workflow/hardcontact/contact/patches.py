@@ -21,8 +21,9 @@ def number_patches(pixels: NDArray[np.int_]) -> tuple[NDArray[np.int_], int]:
 def count_touched_patches(bodies: Bodies, contact_pixels: ContactPixels) -> int:
     """Return the number of patches of a mirrored scan that hold the deepest pixel of a contact.
 
-    The contact pixels of all contacts form the patches. If one particle carries every contact,
-    forces scatter little, however wrong they are.
+    The contact pixels of all contacts form the patches. A small number is a warning: if one
+    particle carries every contact, forces on the scan scatter little, although other scans may give
+    quite different ones.
     """
     pixels = bodies.substrate.pixels
     points = (bodies.geometry.apexes()[:, :, None] + contact_pixels.offsets) % pixels

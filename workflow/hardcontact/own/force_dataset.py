@@ -165,10 +165,11 @@ def _plastic_at_range(data: Any, rho: float) -> Any:
 
 
 def widen_intervals(force: xr.Dataset, hindcast: xr.Dataset | None) -> xr.Dataset:
-    """Return forces with wider intervals.
+    """Return forces with intervals that include further errors.
 
-    Position and hindcast widen the interval of the extrapolated force, wide pixels the interval of
-    the force on scans, which already includes the position.
+    The interval of the extrapolated force gets two: the unknown position of a rough sphere, which
+    that of the force on scans already includes, and the error that the hindcast shows. The interval
+    of the force on scans gets a lower end, because of finer pixels.
     """
     if "position_factor" in force:
         factor = _plastic_at_range(force, force.attrs["rho"])["position_factor"]

@@ -139,7 +139,8 @@ def hindcast_ratios(forces: xr.Dataset, tolerance: float, confidence: float) -> 
     """Return ``hindcast_ratio`` and ``hindcast_fails`` (side) from the forces on a surface's scans.
 
     The ratio is the mean force with artificial octaves relative to the mean force with the octave
-    of the scans. Its interval contains the ratio with one more artificial octave. The hindcast
+    of the scans. Its interval contains the ratio with one more artificial octave, not only the mean
+    ratio, so the variances of one octave and of the mean over `count` octaves add. The hindcast
     fails if the whole interval lies outside the tolerance, or if there is no octave.
     """
     dimensions = ["map", *CONTACT_AXES]
