@@ -101,7 +101,8 @@ class Substitute:
         A target is the published value if the spectrum is calibrated on that row of Table 1, and if
         the row holds on the study's pixels. The rms height holds for scans as wide as the paper's,
         because smaller pixels hardly add to it. Slope and curvature need the paper's pixels, too.
-        Any other target is the value that the spectrum lets expect.
+        Any other target is the expected value of scans with this spectrum. The standard deviation
+        of rms heights has the same ratio to their mean as in Table 1.
         """
         if "afm_rms_height" not in self.table1.index:
             return None
@@ -122,7 +123,7 @@ class Substitute:
 
     def _expected_rms(self, has_paper_pixels: bool) -> Floats:
         """Return the expected rms height (nm), slope and curvature (1/nm) of its scans: (3,)."""
-        if has_paper_pixels:
+        if has_paper_pixels:  # `substitute_spectrum` computes them for these pixels.
             return np.array(self.spectrum_data.attrs["expected_scan_rms"])
         # Waves up to four times the scan's width change its heights, although it is levelled.
         weights = scan_rms_weights(4 * self.grid.pixels, self.grid.pixel_size, self.grid.pixels)
@@ -153,8 +154,8 @@ def required_targets(substitute: Substitute) -> Targets:
 def scale_rms_heights(rms_heights: Floats, mean: float, std: float) -> Floats:
     """Return rms heights (scan,) with a given mean and, if there are several, a given deviation.
 
-    Their order stays, and ratios of their differences. For example, (8, 12) nm become (16.5, 23.5)
-    nm for a mean of 20 nm and a deviation of 5 nm.
+    Their order and the ratios of their differences stay. For example, 8 and 12 nm become 16.5 and
+    23.5 nm for a mean of 20 nm and a deviation of 5 nm.
     """
     differences = rms_heights - rms_heights.mean()
     if len(rms_heights) > 1:
@@ -234,19 +235,19 @@ class _BatchFit(NamedTuple):
 def _fit_batch(matrices: Floats, targets: Targets) -> _BatchFit:
     """Fit the amplitudes of components and the factors of scans to the targets of a batch.
 
-    The `matrices` (scan, metric, component, component) are those of `_metric_matrices`. The rms
-    heights need no search, because factors give them any mean and deviation. A factor scales the
-    slope and curvature of its scan, too, so only two amplitudes are free to meet slope and
-    curvature: those of middle and short waves, relative to long waves. They are searched so:
+    The `matrices` (scan, metric, component, component) are those of `_metric_matrices`. Two numbers
+    are searched, the amplitudes of middle and of short waves relative to long waves, because two
+    targets need a search, slope and curvature. The rms heights need none, because factors give them
+    any mean and deviation. For each try,
 
-    1. For two tried amplitudes, the matrices give the rms height, slope and curvature of each scan.
-    2. Factors give the rms heights their targets. If two scans of 8 and 12 nm need 16.5 and 23.5
-       nm, the factors are 2.06 and 1.96.
-    3. The mean slope and curvature of the scans with these factors have errors, which the search
-       makes zero, or as small as MAX_AMPLITUDE_RATIO permits.
+    1. the matrices give the rms height, slope and curvature of each scan;
+    2. factors give the rms heights their targets: if scans of 8 and 12 nm need 16.5 and 23.5 nm,
+       the factors are 2.06 and 1.96. They scale slope and curvature, too;
+    3. the mean slope and curvature then have errors, which the search makes zero, or as small as
+       MAX_AMPLITUDE_RATIO permits.
 
-    At the end, the mean of the factors moves into the amplitudes, so that all three amplitudes say
-    how much the spectrum had to change.
+    At the end the mean of the factors moves into the amplitudes of all three components, because
+    it changes all scans alike.
     """
     target_means = np.array(list(targets.means.values()))
 
