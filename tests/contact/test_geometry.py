@@ -32,7 +32,9 @@ def test_the_coarser_map_is_interpolated():
     # The apex lies in the middle of the sphere's scan, a quarter of its mirrored period in.
     shifted = np.roll(fine, (-30, -30), axis=(0, 1))
     np.testing.assert_array_equal(bodies.sphere_roughness.heights, shifted)
-    np.testing.assert_array_equal(bodies.geometry.positions, geometry.contact_positions(150, 4))
+    np.testing.assert_array_equal(
+        bodies.geometry.contact_positions, geometry.contact_positions(150, 4)
+    )
     assert bodies.geometry.window_pixels == 300
 
 

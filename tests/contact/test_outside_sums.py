@@ -65,7 +65,7 @@ def test_subtracted_contact_pixels_leave_enough_digits_up_to_both_limits(
     heights[60, 60] = heights.max() + dtype(depth_share * max_depth * rho)
     heights[12, 12] = heights[8:16, 8:16].max() + dtype(penetration_share * max_penetration * rho)
     bodies = make_bodies(heights, None, pixel_size, 40, 1)
-    (position,) = bodies.geometry.positions
+    (position,) = bodies.geometry.contact_positions
     heights[:] = np.roll(heights, position - 12, axis=(0, 1))
     contact_pixels = all_contact_pixels(bodies, 4)
     gaps = contact_pixels.reference_gaps[0, 0]

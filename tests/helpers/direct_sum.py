@@ -28,7 +28,7 @@ def gap_of_bodies(bodies, index):
     geometry, sphere = bodies.geometry, bodies.sphere_roughness
     return gap_to_sphere(
         bodies.substrate.heights,
-        geometry.positions[list(index)],
+        geometry.contact_positions[list(index)],
         geometry.window_pixels,
         geometry.pixel_size,
         geometry.radius,

@@ -50,7 +50,7 @@ def test_a_smooth_sphere_on_the_sum_of_both_touches_like_the_rough_one(wafer, sp
     bodies = join_bodies(combined, None, CONTACT)  # None for a smooth sphere
     forces = forces_at_loadings(bodies, [CONTACT], [CONTACT.rho])[0, 0]
     # The window, 30 pixels to each side of this contact, has no mirror image of the sum.
-    contact_pixel = bodies.geometry.positions[[1, 1]]
+    contact_pixel = bodies.geometry.contact_positions[[1, 1]]
     assert (30 <= contact_pixel).all() and (contact_pixel < PIXELS - 30).all()
     direct = force_of_rough_sphere(wafer, sphere, contact_pixel, start + contact_pixel)
     assert forces[1, 1] == pytest.approx(direct, rel=1e-4)

@@ -28,7 +28,7 @@ class ContactGeometry:
     pixel_size: float  #: Width of a pixel in nm.
     window_pixels: int  #: Pixels per row of the window, even.
     #: (contacts_per_row,) pixels along either axis; each pair of them is a contact.
-    positions: NDArray[np.int_]
+    contact_positions: NDArray[np.int_]
 
     def paraboloid(self, offsets: ArrayLike) -> Floats:
         """Return the heights (nm) of the smooth sphere at offsets (pixels) along one axis."""
@@ -40,7 +40,9 @@ class ContactGeometry:
 
     def apexes(self) -> NDArray[np.int_]:
         """Return the pixel (contact_y, contact_x, 2) of the apex at every contact: row, column."""
-        return np.stack(np.meshgrid(self.positions, self.positions, indexing="ij"), axis=-1)
+        return np.stack(
+            np.meshgrid(self.contact_positions, self.contact_positions, indexing="ij"), axis=-1
+        )
 
     def offsets(self) -> NDArray[np.int_]:
         """Return all offsets (window_pixels,) from the apex along one axis, in pixels."""
@@ -162,7 +164,7 @@ def reference_gap_map(
     offset = geometry.offsets()
     if sphere_heights is None:
         sphere_heights = bodies.sphere_heights(offset, offset)
-    apex = geometry.positions[list(index)]
+    apex = geometry.contact_positions[list(index)]
     rows, columns = (apex[:, None] + offset) % bodies.substrate.pixels
     return np.asarray(sphere_heights - bodies.substrate.heights[rows].take(columns, axis=1))
 

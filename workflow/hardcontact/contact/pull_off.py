@@ -116,7 +116,7 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     reference_gaps = contact_pixels.reference_gaps
     # Rigid contact: one pixel touches, that of the smallest gap. Plastic contact: all touch.
     apex_heights = -np.stack([reference_gaps[..., 0], reference_gaps[..., -1]])
-    positions = bodies.geometry.positions * pixel_size
+    positions = bodies.geometry.contact_positions * pixel_size
     model_axes = ("contact_model", *CONTACT_AXES)
     return xr.Dataset(
         {
@@ -162,7 +162,7 @@ def finer_pixel_ratio(bodies: Bodies, contact: Contact, forces: xr.DataArray) ->
             geometry,
             pixel_size=geometry.pixel_size / 2,
             window_pixels=2 * geometry.window_pixels,
-            positions=2 * geometry.positions,
+            contact_positions=2 * geometry.contact_positions,
         ),
     )
     fine_forces = forces_at_loadings(fine_bodies, [contact], [contact.rho])

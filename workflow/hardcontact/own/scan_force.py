@@ -117,8 +117,8 @@ def _plastic_forces(
     if body_maps:
         substrate, sphere = (mirror_in_float32(body_map) for body_map in body_maps)
         contact = replace(contact, contacts_per_row=POSITION_CONTACTS_PER_ROW)
-        positions = spheres_at_positions(sphere, math.isqrt(SPHERE_POSITIONS))
-        joined_bodies = [join_bodies(substrate, position, contact) for position in positions]
+        spheres = spheres_at_positions(sphere, math.isqrt(SPHERE_POSITIONS))
+        joined_bodies = [join_bodies(substrate, moved, contact) for moved in spheres]
     else:
         joined_bodies = [join_bodies(mirrored_scan, None, contact)]
     pull_off = pull_off_on_spheres(dict(enumerate(joined_bodies)), contact, [contact.rho])

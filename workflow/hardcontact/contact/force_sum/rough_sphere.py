@@ -34,7 +34,7 @@ def rough_sphere_terms(
     """Yield the `SphereTerms` of each range."""
     assert bodies.sphere_roughness is not None
     pixels = bodies.substrate.pixels
-    positions = bodies.geometry.positions
+    positions = bodies.geometry.contact_positions
     heights = bodies.substrate.heights.astype(float)
     roughness = bodies.sphere_roughness.heights.astype(float)
     # (position, touched): first flat index of the kernel's row at a touched pixel, and its column.

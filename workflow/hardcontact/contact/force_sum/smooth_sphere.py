@@ -75,7 +75,7 @@ def axis_factors(pixels: int, geometry: ContactGeometry, rho: float) -> Floats:
     """
     offset = geometry.offsets()
     decay = np.exp(-geometry.paraboloid(offset) / rho)
-    positions = geometry.positions
+    positions = geometry.contact_positions
     return np.array(
         [np.bincount((position + offset) % pixels, decay, pixels) for position in positions]
     )
