@@ -119,7 +119,11 @@ def sample_pool_scans(pool: xr.Dataset, rng: np.random.Generator, scan_count: in
 
 
 def _scale_scans(scans: xr.Dataset, heights: Floats) -> xr.Dataset:
-    """Return the forces and metrics of scans of a pool at other rms heights (scan,) in nm."""
+    """Return the forces and metrics of scans of a pool at other rms heights (scan,) in nm.
+
+    Metrics grow in proportion to heights. Logarithms of forces are interpolated over the square
+    roots of the rms heights at which they were computed.
+    """
     factor = heights / scans["rms_height"].values
     # Extrapolated, because rounding may take a height slightly beyond the computed heights.
     computed_roots = np.sqrt(scans["rms_height_of_force"].values)
