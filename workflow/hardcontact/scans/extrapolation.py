@@ -106,8 +106,8 @@ def _fit_cases(falls: Floats, log_density: Floats, weight: Floats) -> tuple[Floa
     """Return Hurst exponents, their standard errors and the probability of each case: (case,).
 
     ln C = (1 + H) fall + constant is a straight line over the fall, so that a weighted regression
-    gives 1 + H. The probability of a case is exp(-chi²/2) times the error of H, because H may have
-    all values within its error.
+    gives 1 + H. The probability of a case is proportional to exp(-chi²/2) times the error of H,
+    because with a larger error more values of H fit.
     """
     total_weight = weight.sum()
     centred = falls - (falls @ weight)[:, None] / total_weight

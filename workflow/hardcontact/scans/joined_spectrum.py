@@ -76,8 +76,10 @@ class _Curve(NamedTuple):
 def _mean_bins(reliable: NDArray[np.bool_], density: Floats, modes: Floats) -> _MeanBins:
     """Return the mean over scans of their reliable C_iso (scan, bins) in nm⁴.
 
-    In each bin a scan has the weight 1/variance of its ln C. This variance is smaller the more
-    modes the bin holds, but at least that of the calibration.
+    The mean of ln C serves the smooth curve, because the scatter of ln C depends on the number of
+    modes alone. The arithmetic mean of C keeps the variance of heights. In each bin a scan has the
+    weight 1/variance of its ln C: the more modes it has there, the smaller is this variance, but
+    that of its calibration remains.
     """
     mode_variance = variance_of_log(modes)
     weight = np.where(reliable, 1 / (mode_variance + CALIBRATION_SCATTER**2), 0.0)

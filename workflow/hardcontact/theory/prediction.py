@@ -154,7 +154,12 @@ def _input_numbers(spectrum: Spectrum, contact: Contact, tolerance: float) -> li
 def _spectrum_checks(
     spectrum: Spectrum, contact: Contact, form: ClosedForm, skewness: float
 ) -> list[Number]:
-    """Return the checks of a spectrum: all are NEGLIGIBLE if the assumptions hold."""
+    """Return the checks of a spectrum: all are NEGLIGIBLE if the assumptions hold.
+
+    If the force changes without the longest octave, waves longer than those measured might change
+    it, too. In a wide gap between wavelengths the spectrum might bend. Skewed heights are not
+    Gaussian.
+    """
     gap = float((spectrum.wavevector[1:] / spectrum.wavevector[:-1]).max())
     gap_status = Effect.UNKNOWN if gap > MAX_WAVELENGTH_RATIO else Effect.NEGLIGIBLE
     skewness_status = Effect.MATTERS if abs(skewness) > MAX_SKEWNESS else Effect.NEGLIGIBLE
@@ -170,7 +175,8 @@ def _reliable_force(scans: ScanSpectrum, contact: Contact, tolerance: float, nam
     reliable_waves = reliable_spectrum(scans.joined_dataset, scans.skewness)
     numbers = prediction(reliable_waves, contact, tolerance, name)
     force = numbers["closed_form_force"]
-    # Missing waves make this force OUTSIDE, but not the force with extrapolated waves.
+    # Without the other waves this force may be OUTSIDE. The extrapolated force has these waves, so
+    # its status tells whether all other assumptions hold.
     status = numbers.get("extrapolated_force", force).status
     return Number("reliable_force", force.value, "N", status=status)
 
@@ -207,7 +213,11 @@ class _Extrapolation(NamedTuple):
 
 
 def _extrapolate(spectrum: Spectrum, trimmed: Spectrum) -> _Extrapolation | None:
-    """Return the extrapolation of a spectrum; None if it is not known or not needed."""
+    """Return the extrapolation of a spectrum; None if it is not known or not needed.
+
+    Joined scans have been extrapolated to both sides. A table is extrapolated to short waves only,
+    unless it ends in a zero, has other zeros in between, or has too few points.
+    """
     if isinstance(spectrum, ScanSpectrum):
         ends = spectrum.joined_dataset.attrs
         if not ends["tail_known"]:
