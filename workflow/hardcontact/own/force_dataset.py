@@ -115,7 +115,8 @@ def find_extrapolated_forces(
 ) -> xr.Dataset:
     """Return the mean force (surface, side) in N on unfiltered masters; `forces` are at 1 J/m².
 
-    Roughness is artificial from the ``transition`` to the ``extrapolation_end``, both in nm.
+    Masters are scans with artificial roughness, from the ``transition`` to the
+    ``extrapolation_end``, both in nm. The force is the mean over contacts and masters.
     """
 
     def summary(master_forces: MasterForces) -> xr.Dataset:
@@ -142,20 +143,20 @@ def find_extrapolated_forces(
 def add_extrapolated_force(
     force: xr.Dataset, extrapolated_forces: xr.Dataset, tolerance: float
 ) -> xr.Dataset:
-    """Return forces on scans, extrapolated forces, and whether they differ.
+    """Return forces on scans, extrapolated forces, and whether the extrapolation matters.
 
-    They differ if the extrapolated force is outside the interval of the force on the scans, and the
-    relative change exceeds the tolerance.
+    It matters if the extrapolated force is outside the interval of the force on the scans, and
+    differs from this force by more than the tolerance.
     """
     scan_force = _plastic_at_range(force, force.attrs["rho"])
     extrapolated = extrapolated_forces.extrapolated_force
     low, high = interval_ends(scan_force, "force")
     is_inside = (low <= extrapolated) & (extrapolated <= high)
     is_changed = np.abs(extrapolated / scan_force.force - 1) > tolerance
-    differs = (is_changed & ~is_inside).astype(int)
-    differs.attrs = DIMENSIONLESS
+    matters = (is_changed & ~is_inside).astype(int)
+    matters.attrs = DIMENSIONLESS
     return force.merge(extrapolated_forces).assign(
-        extrapolation_matters=differs.transpose("surface", "side")
+        extrapolation_matters=matters.transpose("surface", "side")
     )
 
 

@@ -130,7 +130,10 @@ def _plastic_forces(
 def _mean_force(
     surface_forces: SurfaceForces, bound: float, pixel_factor: float, confidence: float
 ) -> Number:
-    """Return the mean plastic force (N), at most the bound, with an interval for finer pixels."""
+    """Return the mean plastic force (N) and its interval, which allows for finer pixels.
+
+    Both are limited to the bound, the force on a smooth surface.
+    """
     values = np.append(surface_forces.mean, mean_intervals(surface_forces, confidence)[0])
     mean, low, high = limit_forces(values, bound).tolist()
     source = surface_forces.scan_parts[0].interval_source
@@ -172,10 +175,10 @@ def _closed_form_number(
     wavevector, _, density = measured_psds(mirrored_scan)
     has_waves = np.isfinite(density)
     spectrum = Spectrum(wavevector[has_waves], density[has_waves])
-    formula = closed_form(spectrum, contact)
-    point = table_point(spectrum, contact, formula)
+    form = closed_form(spectrum, contact)
+    point = table_point(spectrum, contact, form)
     lowest, highest = nearest_ratios(point, "force")
-    low, high = lowest * formula.force, highest * small_scan_ratio * formula.force
+    low, high = lowest * form.force, highest * small_scan_ratio * form.force
     # A force without an interval is compared itself.
     is_bounded = math.isfinite(force.low + force.high)
     force_low, force_high = (force.low, force.high) if is_bounded else (force.value, force.value)
@@ -187,4 +190,4 @@ def _closed_form_number(
         status = ClosedFormStatus.OUTSIDE
     if status != ClosedFormStatus.AGREES:
         low, high = math.nan, math.nan
-    return Number("closed_form_on_scan", formula.force, "N", low / pixel_factor, high, status)
+    return Number("closed_form_on_scan", form.force, "N", low / pixel_factor, high, status)
