@@ -1,5 +1,6 @@
 """Estimates (`estimates`) about the band and the interaction radius, for claims.
 
+Claims name the public functions in their column `quantity` (`judgement.DERIVED_QUANTITIES`).
 Forces are in N, lengths in nm. Every function takes the datasets that its claim names, also those
 that it does not use. `paper` has the numbers of resources/paper/constants.csv by name.
 """

@@ -1,5 +1,6 @@
 """Estimates (`estimates`) about roughness, contact and elasticity, for claims.
 
+Claims name the public functions in their column `quantity` (`judgement.DERIVED_QUANTITIES`).
 Lengths are in nm, forces in N, pressures in Pa.
 """
 

@@ -1,5 +1,6 @@
 """Estimates (`estimates`) about pull-off forces, their fits and classical models, for claims.
 
+Claims name the public functions in their column `quantity` (`judgement.DERIVED_QUANTITIES`).
 Forces are in N, lengths in nm, works of adhesion in J/m². The reference range is the computed range
 nearest to the attribute `rho`. `paper` has the numbers of resources/paper/constants.csv by name.
 """
