@@ -4,9 +4,9 @@ The tail of short waves is self-affine, with the Hurst exponent of the shortest 
 ends at atoms, or where slope or curvature over all scales would exceed that of the roughest surface
 in Table 1.
 
-Above the longest wavelength measured, C_iso rises up to the roll-off, and is constant beyond. In a
-scan such long waves are slopes and bows. Levelling leaves some of their variance, from which
-Bayes' rule gives the roll-off.
+Above the longest wavelength measured, at most a third of the widest scan, C_iso rises up to the
+roll-off, and is constant beyond. Levelling removes most of the variance of waves longer than a
+scan, because they are slopes in it, but leaves enough for Bayes' rule to give the roll-off.
 """
 
 from collections.abc import Sequence
@@ -248,8 +248,8 @@ def extrapolate_long_waves(density: Floats, longest: float, slope: float, rollof
 def share_after_levelling(wavevector: Floats, size: float, kind: str) -> Floats:
     """Return the share (q,) of variance that levelling leaves of waves of random directions.
 
-    Levelling removes the mean of the heights, and their mean slope along each axis. Of a wave that
-    is long beside the scan, these are almost all of the variance. The matrices are (q, direction).
+    Levelling removes the mean of the heights, and their mean slope along each axis. In a wave much
+    longer than the scan, these have almost all of the variance. The matrices are (q, direction).
     """
     angle = (np.arange(DIRECTION_COUNT) + 0.5) * np.pi / 2 / DIRECTION_COUNT
     # Below this phase the share would be lost in rounding.
@@ -265,9 +265,9 @@ def share_after_levelling(wavevector: Floats, size: float, kind: str) -> Floats:
 class RolloffEvidence:
     """The variance of heights of the widest scans of a surface, as evidence of the roll-off.
 
-    Waves above the longest measured wavelength still raise the variance of the levelled heights a
-    little. A longer roll-off has more such waves, so the measured variance tells which roll-offs
-    are probable.
+    Levelling leaves 76 % of the variance of waves as long as a map, and 3 % if they are three times
+    as long. So waves too long to be measured still raise the variance of the levelled heights. With
+    a longer roll-off there are more of them, so this variance tells which roll-offs are probable.
     """
 
     def __init__(

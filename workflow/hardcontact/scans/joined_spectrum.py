@@ -47,7 +47,7 @@ from hardcontact.surfaces.spectrum import (
 #: Shortest and longest radius in nm of an unknown tip: a new tip, a blunt tip.
 UNKNOWN_TIP_RADII = (5.0, 50.0)
 #: Standard deviation of the change of the slope d ln C/d ln q over a decade. A roll-off changes the
-#: slope by 2 + 2H, some 3.6, once in three measured decades.
+#: slope by 2 + 2H, some 3.6, once in three measured decades: 3.6/sqrt(3) is about 2.
 SLOPE_CHANGE = 2.0
 #: A bin holds a peak, such as a grating's, if chance gives so much power with less than this
 #: probability. Among 60 bins, one in 170 spectra has a false peak.
@@ -231,6 +231,9 @@ def _measured_spectra(
 
 def joined_spectrum(scans: Sequence[HeightMap], tip_radii: Sequence[float | None]) -> xr.Dataset:
     """Return the spectrum of a surface, joined from levelled scans at their reliable wavelengths.
+
+    In each bin the scans are averaged. A smooth curve then replaces the mean of each bin, except of
+    peaks, bridges gaps and keeps the variance of heights. It is extrapolated to all scales.
 
     If a tip radius (nm) is None, the file may state one. ``spectrum`` (wavevector) has all scales;
     ``joined_psd`` (bin_wavevector) is NaN in unreliable bins. Raises ValueError, in one line, if

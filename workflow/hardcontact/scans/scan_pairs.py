@@ -77,7 +77,11 @@ def repeated_area_notes(scans: Sequence[HeightMap], names: Sequence[str]) -> dic
 
 
 def have_same_area(scan: HeightMap, other_scan: HeightMap) -> bool:
-    """Return True if two levelled scans from `coarse_map` are maps of the same area."""
+    """Return True if two levelled scans from `coarse_map` are maps of the same area.
+
+    The short waves of both maps are compared on the same pixels. They must correlate at some shift,
+    whereas the halves of one map must not.
+    """
     if "line scan" in (scan.kind, other_scan.kind):
         return False
     smaller, larger = sorted([scan, other_scan], key=lambda compared: compared.size)
