@@ -6,7 +6,7 @@ rule compute_pull_off:
     """Compute the pull-off forces on a substrate scan, at each position on the sphere."""
     input:
         substrate=lambda w: FILES.mirrored_scan_path(w.surface, int(w.scan)),
-        spheres=FILES.mirrored_scan_paths(SELECTION.sphere),
+        spheres=FILES.mirrored_scan_paths(SELECTION.sphere_surface),
     output:
         STORE.pull_off,
     params:

@@ -12,7 +12,7 @@ rule combine_scans:
     input:
         substrate=lambda w: FILES.mirrored_scan_path(w.surface, int(w.scan)),
         sphere=lambda w: FILES.mirrored_scan_path(
-            SELECTION.sphere, PLAN.sphere_scan_number(w.surface, int(w.scan))
+            SELECTION.sphere_surface, PLAN.sphere_scan_number(w.surface, int(w.scan))
         ),
     output:
         STORE.combined_scans,
@@ -33,7 +33,7 @@ rule combine_spectra:
     """Add the spectrum of the sphere to that of a substrate."""
     input:
         substrate=lambda w: FILES.spectrum_path(w.surface),
-        sphere=lambda w: FILES.spectrum_path(SELECTION.sphere),
+        sphere=lambda w: FILES.spectrum_path(SELECTION.sphere_surface),
     output:
         STORE.combined_spectra,
     wildcard_constraints:
@@ -49,7 +49,7 @@ rule combine_sampled_spectra:
     input:
         substrate=lambda w: FILES.path(STORE.sampled_spectra, w.surface, realization=w.realization),
         sphere=lambda w: FILES.path(
-            STORE.sampled_spectra, SELECTION.sphere, realization=w.realization
+            STORE.sampled_spectra, SELECTION.sphere_surface, realization=w.realization
         ),
     output:
         STORE.combined_sampled_spectra,

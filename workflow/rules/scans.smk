@@ -127,7 +127,7 @@ rule aggregate_topography:
             conditioned=SELECTION.substitutes,
             attributes=dict(
                 **LABELS_AND_SOURCES,
-                sphere_surface=SELECTION.sphere,
+                sphere_surface=SELECTION.sphere_surface,
                 reference_surface=STUDY["reference_surface"],
                 confidence=STUDY["intervals"]["confidence"],
             ),

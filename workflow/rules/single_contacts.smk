@@ -11,7 +11,7 @@
 TRACED_CONTACT = {
     **SELECTION.attributes(STUDY["reference_surface"]),
     "scan": SELECTION.contact_scan_numbers(STUDY["reference_surface"])[0],
-    "sphere_scan": SELECTION.contact_scan_numbers(SELECTION.sphere)[0],
+    "sphere_scan": SELECTION.contact_scan_numbers(SELECTION.sphere_surface)[0],
     "contact_index": [STUDY["contact"]["contacts_per_row"] // 2] * 2,  # row and column
 }
 #: The substrate whose contacts indent the sphere.
@@ -20,7 +20,7 @@ INDENTING_SURFACE = STUDY["indent"]["surface"]
 SUBSTRATE_AND_SPHERE_SCANS = {
     "substrates": lambda w: FILES.mirrored_scan_paths(w.surface),
     "spheres": lambda w: [
-        FILES.mirrored_scan_path(SELECTION.sphere, PLAN.sphere_scan_number(w.surface, scan))
+        FILES.mirrored_scan_path(SELECTION.sphere_surface, PLAN.sphere_scan_number(w.surface, scan))
         for scan in SELECTION.contact_scan_numbers(w.surface)
     ],
 }
@@ -30,7 +30,7 @@ rule trace_contact:
     """Trace gap, adhesive pressure and force over separation of one contact: contact.nc."""
     input:
         substrate=FILES.mirrored_scan_path(TRACED_CONTACT["surface"], TRACED_CONTACT["scan"]),
-        sphere=FILES.mirrored_scan_path(SELECTION.sphere, TRACED_CONTACT["sphere_scan"]),
+        sphere=FILES.mirrored_scan_path(SELECTION.sphere_surface, TRACED_CONTACT["sphere_scan"]),
         published_constants=PUBLISHED_TABLES["published_constants"],
     output:
         RESULTS.dataset("contact"),
@@ -77,14 +77,14 @@ rule measure_indents:
     """Measure the indents that contacts on one surface leave in the sphere: indent.nc."""
     input:
         substrates=FILES.mirrored_scan_paths(INDENTING_SURFACE),
-        spheres=FILES.mirrored_scan_paths(SELECTION.sphere),
+        spheres=FILES.mirrored_scan_paths(SELECTION.sphere_surface),
     output:
         RESULTS.dataset("indent"),
     params:
         parameters=dict(
             **SELECTION.attributes(INDENTING_SURFACE),
             scan_numbers=SELECTION.contact_scan_numbers(INDENTING_SURFACE),
-            sphere_scan_numbers=SELECTION.contact_scan_numbers(SELECTION.sphere),
+            sphere_scan_numbers=SELECTION.contact_scan_numbers(SELECTION.sphere_surface),
             preloads=STUDY["indent"]["preloads"],
             contact=CONTACT_ARGUMENTS | {"preload": max(STUDY["indent"]["preloads"])},
         ),

@@ -45,7 +45,7 @@ SUBSTITUTE_INPUTS = {
 }
 SPHERE_SCAN = (
     FILES.first_sphere_scan_path
-    if SELECTION.contact_scan_numbers(SELECTION.sphere) and not PLAN.combined_surfaces
+    if SELECTION.contact_scan_numbers(SELECTION.sphere_surface) and not PLAN.combined_surfaces
     else []
 )
 

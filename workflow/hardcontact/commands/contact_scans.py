@@ -22,16 +22,16 @@ Group = list[UserScan]
 
 
 def all_search_sizes(
-    scans: Sequence[UserScan], sphere: str | None, contact: Contact
+    scans: Sequence[UserScan], sphere_surface: str | None, contact: Contact
 ) -> dict[str, float]:
     """Return the search size (nm) of each substrate, within which the sphere finds its summits."""
     sizes: dict[str, float] = {}
-    sphere_densities = [scan.density for scan in scans if scan.scan_file.surface == sphere]
+    sphere_densities = [scan.density for scan in scans if scan.scan_file.surface == sphere_surface]
     # In each bin the roughest scan of the sphere; zero where no scan has waves.
     sphere_density = np.fmax.reduce([np.zeros_like(BIN_CENTRES), *sphere_densities])
     for scan in scans:
         surface = scan.scan_file.surface
-        if surface != sphere:
+        if surface != sphere_surface:
             is_measured = np.isfinite(scan.density)
             density = scan.density + sphere_density
             spectrum = Spectrum(BIN_CENTRES[is_measured], density[is_measured])
@@ -41,14 +41,17 @@ def all_search_sizes(
 
 
 def select_contact_scans(
-    scans: Sequence[UserScan], sphere: str | None, contact: Contact, search_sizes: dict[str, float]
+    scans: Sequence[UserScan],
+    sphere_surface: str | None,
+    contact: Contact,
+    search_sizes: dict[str, float],
 ) -> tuple[list[UserScan], list[str]]:
     """Return the scans that contacts are made on, on one grid a surface, and the reasons.
 
     The largest search size serves all surfaces, so that they are compared on one size if possible.
     """
     groups = _group_by_grid(scans)
-    sphere_groups = groups.pop(sphere) if sphere is not None else []
+    sphere_groups = groups.pop(sphere_surface) if sphere_surface is not None else []
     sufficient_size = LARGE_SIZE_RATIO * max(search_sizes.values())
     interaction_radius = math.sqrt(2 * contact.radius * contact.rho)
     selected: list[UserScan] = []
@@ -57,11 +60,12 @@ def select_contact_scans(
         group, reason = _best_group(surface_groups, interaction_radius, sufficient_size)
         selected += group
         reasons.append(f"{surface}: {_describe_group(group)}: {reason}")
-    if sphere is not None:
+    if sphere_surface is not None:
         group = _sphere_group(sphere_groups, selected, contact.radius)
         selected += group
         reasons.append(
-            f"{sphere}: {_describe_group(group)}, from which the sphere's shape is subtracted"
+            f"{sphere_surface}: {_describe_group(group)}, "
+            "from which the sphere's shape is subtracted"
         )
     return selected, reasons
 

@@ -104,8 +104,8 @@ def _propose_study(
 ) -> tuple[Proposal, list[Choice]]:
     """Return a proposal that the study accepts at both efforts, and all choices of full effort."""
     contact = contact_of_quantities(quantities)
-    sphere = SPHERE if arguments.sphere else None
-    proposal = propose_keys(scans, sphere, contact, quantities["range"].is_given)
+    sphere_surface = SPHERE if arguments.sphere else None
+    proposal = propose_keys(scans, sphere_surface, contact, quantities["range"].is_given)
     proposal.cautions.extend(unit_questions(quantities))
     choices = [*_choices_without_scans(arguments, quantities), *proposal.choices]
     extents = {

@@ -89,18 +89,21 @@ class Proposal(NamedTuple):
 
 
 def propose_keys(
-    scans: Sequence[UserScan], sphere: str | None, contact: Contact, range_given: bool = False
+    scans: Sequence[UserScan],
+    sphere_surface: str | None,
+    contact: Contact,
+    range_given: bool = False,
 ) -> Proposal:
     """Choose every key that depends on the scans.
 
-    `sphere` is the id of the sphere's surface, None for a smooth sphere.
+    `sphere_surface` is the id of the sphere's surface, None for a smooth sphere.
     """
-    search_sizes = all_search_sizes(scans, sphere, contact)
-    contact_scans, reasons = select_contact_scans(scans, sphere, contact, search_sizes)
-    substrates = [scan for scan in contact_scans if scan.scan_file.surface != sphere]
+    search_sizes = all_search_sizes(scans, sphere_surface, contact)
+    contact_scans, reasons = select_contact_scans(scans, sphere_surface, contact, search_sizes)
+    substrates = [scan for scan in contact_scans if scan.scan_file.surface != sphere_surface]
     _refuse_unlike_scans(substrates)
     permitted = choose_contact(contact_scans, substrates, contact, range_given, FULL_EFFORT.pixels)
-    sphere_scans = [scan for scan in contact_scans if scan.scan_file.surface == sphere]
+    sphere_scans = [scan for scan in contact_scans if scan.scan_file.surface == sphere_surface]
     transitions = _transition_choices(substrates, sphere_scans)
     full = _effort_choices(substrates, permitted, transitions, FULL_EFFORT)
     full_values = values_by_key(full)

@@ -61,7 +61,7 @@ class Selection:
     def __init__(
         self,
         rows: pd.DataFrame,
-        sphere: str,
+        sphere_surface: str,
         digests: Mapping[str, str],
         published_surfaces: Collection[str],
     ) -> None:
@@ -70,8 +70,8 @@ class Selection:
         self._contact_rows = rows[rows.use == CONTACT_USE]
         self._cells = rows.set_index(["surface", "scan"])
         self.digests = digests
-        self.sphere = sphere
-        self.sphere_digest = digests.get(sphere, SMOOTH_SPHERE)
+        self.sphere_surface = sphere_surface
+        self.sphere_digest = digests.get(sphere_surface, SMOOTH_SPHERE)
         self.surfaces: list[str] = list(rows.surface.unique())
         self.labels: dict[str, str] = dict(zip(rows.surface, rows.label, strict=True))
         #: ``"measured"`` or ``"substitute"``, by surface.
@@ -79,7 +79,7 @@ class Selection:
         self.measured_surfaces = rows.surface[rows.source == "measured"].unique().tolist()
         self.substitutes = rows.surface[rows.source == "substitute"].unique().tolist()
         #: All surfaces but the sphere's.
-        self.substrates = [surface for surface in self.surfaces if surface != sphere]
+        self.substrates = [surface for surface in self.surfaces if surface != sphere_surface]
         self.substitute_substrates = [name for name in self.substrates if name in self.substitutes]
         #: Substitutes for surfaces of the paper, which each set samples.
         self.sampled_substrates = [
@@ -93,7 +93,7 @@ class Selection:
     @property
     def sphere_scan_numbers(self) -> list[int]:
         """Numbers of the scans of the sphere; NO_SCAN alone for a smooth sphere."""
-        return self.contact_scan_numbers(self.sphere) or [NO_SCAN]
+        return self.contact_scan_numbers(self.sphere_surface) or [NO_SCAN]
 
     def attributes(self, surface: str) -> dict[str, str]:
         """Return the attributes of a dataset of one surface."""

@@ -42,7 +42,9 @@ class StudyPlan:
     @property
     def substrate_scan_ids(self) -> list[ScanId]:
         """The scans with contacts of all substrates."""
-        return [scan_id for scan_id in self.scan_ids if scan_id.surface != self.selection.sphere]
+        return [
+            scan_id for scan_id in self.scan_ids if scan_id.surface != self.selection.sphere_surface
+        ]
 
     @property
     def measured_scan_ids(self) -> list[ScanId]:
@@ -82,7 +84,7 @@ class StudyPlan:
 
     def sphere_radius(self, surface: str) -> float | None:
         """Return the radius (nm) to subtract from scans of the sphere, None for other surfaces."""
-        return self.contact.radius if surface == self.selection.sphere else None
+        return self.contact.radius if surface == self.selection.sphere_surface else None
 
     @property
     def featured_surface(self) -> str | None:
@@ -94,7 +96,7 @@ class StudyPlan:
     def combined_surfaces(self) -> list[str]:
         """The measured substrates to which the roughness of a measured sphere is added."""
         measured = self.selection.measured_surfaces
-        if is_paper_study(self.study) or self.selection.sphere not in measured:
+        if is_paper_study(self.study) or self.selection.sphere_surface not in measured:
             return []
         return [name for name in self.selection.substrates if name in measured]
 
@@ -102,7 +104,9 @@ class StudyPlan:
         """Return a substrate's scan, and the sphere's scan if its roughness is added."""
         scan_ids = [ScanId(surface, scan)]
         if surface in self.combined_surfaces:
-            scan_ids.append(ScanId(self.selection.sphere, self.sphere_scan_number(surface, scan)))
+            scan_ids.append(
+                ScanId(self.selection.sphere_surface, self.sphere_scan_number(surface, scan))
+            )
         return scan_ids
 
     def sphere_scan_number(self, surface: str, scan: int) -> int:
@@ -124,7 +128,8 @@ class StudyPlan:
     @property
     def positions_per_row(self) -> int:
         """Positions per row of the square array of positions on each scan of the sphere."""
-        is_rough = self.selection.sphere in self.selection.surfaces  # a smooth sphere has no row
+        # A smooth sphere has no row.
+        is_rough = self.selection.sphere_surface in self.selection.surfaces
         minimum = SPHERE_POSITIONS if is_rough and not is_paper_study(self.study) else 1
         return math.ceil(math.sqrt(minimum / len(self.selection.sphere_scan_numbers)))
 

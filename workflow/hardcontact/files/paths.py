@@ -35,7 +35,7 @@ class StorePatterns:
         self.digests = {name: settings_digest(kinds, name) for name in kinds}
         store = plan.study["store"]
         folder = {kind: f"{store}/{kind}/{digest}" for kind, digest in self.digests.items()}
-        rough_sphere = f"{plan.selection.sphere}/{{sphere_digest}}"
+        rough_sphere = f"{plan.selection.sphere_surface}/{{sphere_digest}}"
 
         # Scans: as read, levelled, mirrored; and how those of a batch were conditioned on Table 1,
         # in a file with the number of the first.
@@ -163,7 +163,7 @@ class SurfaceFiles:
 
     def path(self, pattern: str, surface: str, **wildcards: object) -> str:
         """Return the path of a pattern for a surface; wildcards default to values of the study."""
-        is_sphere = surface == self.selection.sphere
+        is_sphere = surface == self.selection.sphere_surface
         surface_values = {
             "shape": f"sphere-{self._defaults['radius']}" if is_sphere else "flat",
             "digest": self.selection.digests[surface],
@@ -199,7 +199,7 @@ class SurfaceFiles:
     @property
     def first_sphere_scan_path(self) -> str:
         """The path of the sphere's first scan, mirrored, for masters and octaves."""
-        return self.mirrored_scan_paths(self.selection.sphere)[0]
+        return self.mirrored_scan_paths(self.selection.sphere_surface)[0]
 
     def contact_map_path(self, surface: str, scan: int) -> str:
         """Return the path of a mirrored scan, with the sphere's roughness if that is added."""

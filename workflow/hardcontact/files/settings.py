@@ -123,7 +123,8 @@ def _surface_kinds(plan: StudyPlan) -> dict[str, IntermediateKind]:
     study = plan.study
     seed = {"seed": study["seed"]}
     levelling = {"levelling": study["scan"]["levelling"]}
-    sphere = [plan.selection.sphere, plan.selection.sphere_digest, study["sphere"]["radius"]]
+    selection = plan.selection
+    sphere = [selection.sphere_surface, selection.sphere_digest, study["sphere"]["radius"]]
     # A long-edge master has the pixels of its scan; its key `pixels` is for the forces on it.
     side_keys = {"short": ("pixels", "transition"), "long": ("tiles", "transition")}
     band = study["band"]

@@ -14,13 +14,13 @@ MAPS_PER_ROW = 3
 
 def draw(topography: xr.Dataset) -> Figure:
     """Draw Fig. 1: a levelled scan of each substrate, and the sphere with and without its shape."""
-    sphere = topography.attrs["sphere_surface"]
-    colours = style.surface_colours(topography["surface"].values, sphere)
+    sphere_surface = topography.attrs["sphere_surface"]
+    colours = style.surface_colours(topography["surface"].values, sphere_surface)
     levelled = topography["example_heights"]
-    maps = [(name, "", levelled.sel(surface=name)) for name in colours if name != sphere]
+    maps = [(name, "", levelled.sel(surface=name)) for name in colours if name != sphere_surface]
     maps += [
-        (sphere, ", sphere as scanned", topography["sphere_as_scanned"]),
-        (sphere, ", sphere subtracted", levelled.sel(surface=sphere)),
+        (sphere_surface, ", sphere as scanned", topography["sphere_as_scanned"]),
+        (sphere_surface, ", sphere subtracted", levelled.sel(surface=sphere_surface)),
     ]
     rows = math.ceil(len(maps) / MAPS_PER_ROW)
     figure = drawing.create_figure(2.4 * rows + drawing.FOOTER, topography)

@@ -42,8 +42,8 @@ def draw(
     )
     _draw_spectra(spectrum_axes, topography, filtered_forces, band)
     surface = topography.attrs["reference_surface"]
-    sphere = topography.attrs["sphere_surface"]
-    colour = style.surface_colours(topography["surface"].values, sphere)[surface]
+    sphere_surface = topography.attrs["sphere_surface"]
+    colour = style.surface_colours(topography["surface"].values, sphere_surface)[surface]
     scan = topography.sel(surface=surface)
     maps = filtered_heights(scan, band)
     _draw_maps(map_axes, scan, maps)

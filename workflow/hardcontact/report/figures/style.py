@@ -76,23 +76,23 @@ def print_style() -> AbstractContextManager[None]:
     return mpl.rc_context({name: mpl.rcParamsDefault[name] for name in names} | PRINT_SETTINGS)
 
 
-def surface_looks(surfaces: Iterable[str], sphere: str | None = None) -> dict[str, Look]:
+def surface_looks(surfaces: Iterable[str], sphere_surface: str | None = None) -> dict[str, Look]:
     """Return colour and marker of each substrate, in their order, then those of the sphere."""
-    substrates = [str(name) for name in surfaces if str(name) != sphere]
+    substrates = [str(name) for name in surfaces if str(name) != sphere_surface]
     triples = zip(substrates, cycle(SUBSTRATE_COLOURS), cycle(MARKERS), strict=False)
     looks = {name: {"color": colour, "marker": marker} for name, colour, marker in triples}
-    return looks | {str(name): SPHERE_LOOK for name in surfaces if str(name) == sphere}
+    return looks | {str(name): SPHERE_LOOK for name in surfaces if str(name) == sphere_surface}
 
 
-def surface_colours(surfaces: Iterable[str], sphere: str | None = None) -> dict[str, str]:
+def surface_colours(surfaces: Iterable[str], sphere_surface: str | None = None) -> dict[str, str]:
     """Return the colours of `surface_looks`."""
-    return {name: look["color"] for name, look in surface_looks(surfaces, sphere).items()}
+    return {name: look["color"] for name, look in surface_looks(surfaces, sphere_surface).items()}
 
 
 def iterate_surfaces(data: Data) -> Iterator[tuple[Look, Data]]:
     """Yield colour and marker of each surface of a dataset, and its selection of the dataset."""
-    sphere = data.attrs.get("sphere_surface")
-    for surface, look in surface_looks(data["surface"].values, sphere).items():
+    sphere_surface = data.attrs.get("sphere_surface")
+    for surface, look in surface_looks(data["surface"].values, sphere_surface).items():
         yield look, data.sel(surface=surface)
 
 
