@@ -83,12 +83,12 @@ def _mean_bins(reliable: NDArray[np.bool_], density: Floats, modes: Floats) -> _
     """
     mode_variance = variance_of_log(modes)
     weight = np.where(reliable, 1 / (mode_variance + CALIBRATION_SCATTER**2), 0.0)
-    logs = np.where(reliable, np.log(density) + bias_of_log(modes), 0.0)
+    log_density = np.where(reliable, np.log(density) + bias_of_log(modes), 0.0)
     with np.errstate(divide="ignore", invalid="ignore"):
         weight = weight / weight.sum(axis=0)
     variance = (weight**2 * mode_variance).sum(axis=0)
     arithmetic_mean = (weight * np.where(reliable, density, 0.0)).sum(axis=0)
-    mean_density = np.exp((weight * logs).sum(axis=0))
+    mean_density = np.exp((weight * log_density).sum(axis=0))
     is_peak = _find_peaks(mean_density, variance, arithmetic_mean)
     return _MeanBins(mean_density, variance, arithmetic_mean, is_peak)
 

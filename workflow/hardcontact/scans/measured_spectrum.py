@@ -101,13 +101,13 @@ def local_slopes(wavevector: Floats, density: Floats, variance: Floats) -> tuple
     distance = np.log(wavevector) - np.log(wavevector)[:, None]
     is_near = np.abs(distance) <= SLOPE_HALF_WIDTH
     weight = np.where(is_near, 1 / variance, 0.0)
-    total = weight.sum(axis=1)
-    centred = distance - ((weight * distance).sum(axis=1) / total)[:, None]
+    total_weight = weight.sum(axis=1)
+    centred = distance - ((weight * distance).sum(axis=1) / total_weight)[:, None]
     spread = (weight * centred**2).sum(axis=1)
-    has_enough = is_near.sum(axis=1) > 1
-    spread = np.where(has_enough, spread, np.nan)
+    has_neighbours = is_near.sum(axis=1) > 1
+    spread = np.where(has_neighbours, spread, np.nan)
     slope = (weight * centred) @ np.log(density) / spread
-    return slope, np.where(has_enough, 1 / np.sqrt(spread), np.inf)
+    return slope, np.where(has_neighbours, 1 / np.sqrt(spread), np.inf)
 
 
 def isotropic_from_profile(wavevector: Floats, profile_density: Floats, modes: Floats) -> Floats:
@@ -120,9 +120,10 @@ def isotropic_from_profile(wavevector: Floats, profile_density: Floats, modes: F
     if finite.sum() < 2:
         return np.full(profile_density.shape, np.nan)
     log_q, log_density = np.log(wavevector[finite]), np.log(profile_density[finite])
-    smooth, last_slope = _smooth_falling_spectrum(log_q, log_density, modes[finite])
+    smooth_log_density, last_slope = _smooth_falling_spectrum(log_q, log_density, modes[finite])
     density = np.full(profile_density.shape, np.nan)
-    ratio = _inverse_abel(log_q, smooth, min(last_slope, FLATTEST_PROFILE_SLOPE)) / np.exp(smooth)
+    isotropic = _inverse_abel(log_q, smooth_log_density, min(last_slope, FLATTEST_PROFILE_SLOPE))
+    ratio = isotropic / np.exp(smooth_log_density)
     density[finite] = profile_density[finite] * ratio
     return density
 
@@ -145,8 +146,10 @@ def _smooth_falling_spectrum(
     variance = (weight * distance**2).sum(axis=1) - mean_distance**2
     covariance = (weight * distance) @ log_density - mean_distance * mean_log_density
     slope = covariance / variance
-    smooth = mean_log_density - slope * mean_distance
-    falling = scipy.optimize.isotonic_regression(smooth, weights=modes, increasing=False)
+    smooth_log_density = mean_log_density - slope * mean_distance
+    falling = scipy.optimize.isotonic_regression(
+        smooth_log_density, weights=modes, increasing=False
+    )
     return np.asarray(falling.x), float(slope[-1])
 
 

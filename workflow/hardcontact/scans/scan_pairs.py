@@ -165,14 +165,14 @@ def find_contradictions(
     usable = np.asarray(reliable, bool) & np.isfinite(density)
     scans = zip(kinds, sizes, strict=True)
     modes = np.array([independent_modes(kind, size) for kind, size in scans])
-    logs = np.log(np.where(usable, density, 1.0)) + bias_of_log(modes)
+    log_densities = np.log(np.where(usable, density, 1.0)) + bias_of_log(modes)
     variances = variance_of_log(modes)
     contradictions = []
-    for index, other_index in combinations(range(len(logs)), 2):
+    for index, other_index in combinations(range(len(log_densities)), 2):
         (shared_bins,) = np.nonzero(usable[index] & usable[other_index])
         if not shared_bins.size:
             continue
-        difference = logs[index] - logs[other_index]
+        difference = log_densities[index] - log_densities[other_index]
         variance = variances[index] + variances[other_index]
         bins, mean, error = _most_significant_difference(difference, variance, shared_bins)
         if abs(mean) > MIN_CONTRADICTION_ERRORS * error:
