@@ -158,7 +158,7 @@ def jackknife_interval(value: ArrayLike, leave_one_out: ArrayLike, confidence: f
 
 
 def log_std_of_lognormal(mean: ArrayLike, median: ArrayLike) -> Floats:
-    """Return the standard deviation of ln x for a log-normal x."""
+    """Return the standard deviation s of ln x for a log-normal x: mean/median = exp(s²/2)."""
     return np.asarray(np.sqrt(2 * np.log(np.asarray(mean) / np.asarray(median))))
 
 

@@ -235,7 +235,11 @@ def add_sizes(force: xr.Dataset, topography: xr.Dataset, contact: Contact) -> xr
 
 
 def contacts_needed(forces: xr.DataArray, tolerance: float, confidence: float) -> xr.DataArray:
-    """Return the number of contacts whose mean force is within the tolerance, with a confidence."""
+    """Return the number of contacts whose mean force is within the tolerance, with a confidence.
+
+    A mean over that many contacts has the half width quantile * relative_std / sqrt(count), which
+    is the tolerance. At least one contact is needed.
+    """
     relative_std = forces.std(SINGLE_CONTACT_AXES) / forces.mean(SINGLE_CONTACT_AXES)
     quantile = float(special.ndtri((1 + confidence) / 2))
     count = (quantile / tolerance * relative_std) ** 2

@@ -38,7 +38,11 @@ class Obstacle(StrEnum):
 def choose_window(
     rms_height: float, min_pixel_size: float, min_scan_size: float, radius: float, rho: float
 ) -> tuple[float, str]:
-    """Return the width of the window on scans, and what decides it; all lengths are in nm."""
+    """Return the width of the window on scans, and what decides it; all lengths are in nm.
+
+    At the border of the window the sphere is so high that points beyond attract little. Pixels and
+    scans may permit only a narrower window.
+    """
     height, height_words = max(
         (BORDER_HEIGHT_IN_RANGES * rho, f"{BORDER_HEIGHT_IN_RANGES} ranges of adhesion"),
         (BORDER_HEIGHT_IN_RMS * rms_height, f"{BORDER_HEIGHT_IN_RMS} rms heights"),
