@@ -40,7 +40,13 @@ def combine_maps(rng: np.random.Generator, substrate: HeightMap, sphere: HeightM
 
 
 def combine_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
-    """Return the sum of joined spectra; measurements stay reliable where their body dominates."""
+    """Return the sum of joined spectra, with the measurements of both bodies.
+
+    In a bin where one body is much smoother, it hardly matters whether that body was measured. So a
+    measurement stays reliable in the bins in which its body is the rougher one. The tail of short
+    waves comes from the body that is rougher at the shortest of these wavelengths, the roll-off
+    from the body that is rougher at the longest.
+    """
     substrate_density = spectrum_of_dataset(substrate)(BIN_CENTRES)
     sphere_density = spectrum_of_dataset(sphere)(BIN_CENTRES)
     density = substrate_density + sphere_density
