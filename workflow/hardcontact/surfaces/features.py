@@ -236,10 +236,10 @@ def whole_surface(
             spectrum_rng, description, substitute.table1, substitute.constants
         )
         return random_surface(rng, pixels, pixel_size, spectrum)
-    surface = featured_surface(substitute)
+    featured = featured_surface(substitute)
     kind = alternating_kind(number - 1)
-    scan_count = surface.statistics.scan_count
-    features = surface.sample_features(kind, scan_count, number, "whole surface")
+    scan_count = featured.statistics.scan_count
+    features = featured.sample_features(kind, scan_count, number, "whole surface")
     base = random_surface(rng, pixels, pixel_size, substitute.spectrum)
     base = replace(base, heights=np.float32(features.base_factor) * base.heights)
     feature_rng = substitute.generator(number, "whole surface", "features")
@@ -248,11 +248,11 @@ def whole_surface(
 
 
 def sample_featured_scans(
-    surface: FeaturedSurface, kind: str, scan_numbers: Sequence[int], *seed_words: object
+    featured: FeaturedSurface, kind: str, scan_numbers: Sequence[int], *seed_words: object
 ) -> tuple[Features, list[HeightMap]]:
     """Sample features of a kind, and scans with them; `seed_words` choose the random numbers."""
-    substitute = surface.substitute
-    features = surface.sample_features(kind, len(scan_numbers), *seed_words)
+    substitute = featured.substitute
+    features = featured.sample_features(kind, len(scan_numbers), *seed_words)
     scans = []
     for scan_number, count in zip(scan_numbers, features.counts, strict=True):
         rng = substitute.generator(kind, *seed_words, scan_number, "featured scan")
@@ -262,7 +262,7 @@ def sample_featured_scans(
 
 
 def nearest_featured_scans(
-    surface: FeaturedSurface, scan_numbers: Sequence[int]
+    featured: FeaturedSurface, scan_numbers: Sequence[int]
 ) -> tuple[Features, list[HeightMap]]:
     """Return the features nearest to Table 1 among PERMITTED_SAMPLES, and scans with them.
 
@@ -272,22 +272,22 @@ def nearest_featured_scans(
     for sample_number in range(PERMITTED_SAMPLES):
         kind = alternating_kind(sample_number)
         # The first scan number seeds the features of a batch of scans.
-        features = surface.sample_features(kind, len(scan_numbers), scan_numbers[0], sample_number)
-        added = feature_squares(features.height, features.width, surface.substitute.grid.size)
-        rms_values = featured_rms(features.base_factor, features.counts, added, surface.statistics)
-        differences = standardized_differences(rms_values, surface.statistics)
+        features = featured.sample_features(kind, len(scan_numbers), scan_numbers[0], sample_number)
+        added = feature_squares(features.height, features.width, featured.substitute.grid.size)
+        rms_values = featured_rms(features.base_factor, features.counts, added, featured.statistics)
+        differences = standardized_differences(rms_values, featured.statistics)
         choices.append((float(np.linalg.norm(differences)), kind, sample_number))
     _, kind, sample_number = min(choices)
-    return sample_featured_scans(surface, kind, scan_numbers, scan_numbers[0], sample_number)
+    return sample_featured_scans(featured, kind, scan_numbers, scan_numbers[0], sample_number)
 
 
 def make_featured_scans(
     substitute: Substitute, scan_numbers: Sequence[int]
 ) -> tuple[xr.Dataset, list[HeightMap]]:
     """Return a dataset of the features of the `nearest_featured_scans`, and these scans."""
-    surface = featured_surface(substitute)
-    features, scans = nearest_featured_scans(surface, scan_numbers)
-    variables = surface.to_variables(features)
+    featured = featured_surface(substitute)
+    features, scans = nearest_featured_scans(featured, scan_numbers)
+    variables = featured.to_variables(features)
     variables["feature_count"] = xr.Variable("scan", list(features.counts), DIMENSIONLESS)
     met_rows = substitute.spectrum_data.attrs["table1_rows_met"]
     attributes = {"source": "substitute", "table1_rows_met": met_rows}
