@@ -137,19 +137,19 @@ def _scan_faults(study: dict[str, Any], surface: str, extent: Extent) -> Iterato
 
 
 def _body_faults(
-    study: dict[str, Any], surface: str, extent: Extent, sphere: Extent
+    study: dict[str, Any], surface: str, extent: Extent, sphere_extent: Extent
 ) -> Iterator[str]:
     """Yield the faults of a substrate's scans and the sphere's, both on the finer of their pixels.
 
     They concern the window, the pixels per row, loads and the range of adhesion.
     """
     window = study["contact"]["window"]
-    pixel_size = min(extent.pixel_size, sphere.pixel_size)
-    bodies = f"{surface} and the sphere"
+    pixel_size = min(extent.pixel_size, sphere_extent.pixel_size)
+    body_names = f"{surface} and the sphere"
     if count_window_pixels(window, pixel_size) > MAX_MAP_PIXELS:
-        accepted = f"at most {MAX_MAP_PIXELS} pixels of {pixel_size:.4g} nm, on {bodies}"
+        accepted = f"at most {MAX_MAP_PIXELS} pixels of {pixel_size:.4g} nm, on {body_names}"
         yield key_fault("contact.window", accepted, count_window_pixels(window, pixel_size))
-    yield from _map_faults(bodies, pixel_size, extent, sphere)
+    yield from _map_faults(body_names, pixel_size, extent, sphere_extent)
     contacts = strictest_contacts(study)
     periods = periods_in_window(window, extent.size)
     for named_contact in contacts.values():
@@ -169,7 +169,12 @@ def _body_faults(
 
 
 def _master_faults(
-    study: dict[str, Any], section: str, side: str, surface: str, extent: Extent, sphere: Extent
+    study: dict[str, Any],
+    section: str,
+    side: str,
+    surface: str,
+    extent: Extent,
+    sphere_extent: Extent,
 ) -> Iterator[str]:
     """Yield the faults of pixels, wavelengths and loads on the masters of a substrate and side."""
     keys = master_keys(study, section, side)
@@ -194,17 +199,19 @@ def _master_faults(
             if not 2 * finest * (1 + 1e-9) < wavelength <= size:
                 yield key_fault(keys[name], accepted, f"{wavelength:.4g} nm")
     if study["band"]["sphere_roughness"]:
-        pixel_size = min(pixel_size, sphere.pixel_size)
-        bodies = f"the {side}-edge masters of {surface} and the sphere"
-        yield from _map_faults(bodies, pixel_size, extent._replace(size=size / 2), sphere)
+        pixel_size = min(pixel_size, sphere_extent.pixel_size)
+        body_names = f"the {side}-edge masters of {surface} and the sphere"
+        yield from _map_faults(
+            body_names, pixel_size, extent._replace(size=size / 2), sphere_extent
+        )
     yield from _memory_faults(strictest_contacts(study)[section], surface, pixel_size, 1)
 
 
-def _map_faults(bodies: str, pixel_size: float, *extents: Extent) -> Iterator[str]:
+def _map_faults(body_names: str, pixel_size: float, *extents: Extent) -> Iterator[str]:
     """Yield the fault of mirrored maps that are too large on common pixels (nm)."""
     pixels = round(max(2 * extent.size for extent in extents) / pixel_size)
     if pixels > MAX_MAP_PIXELS:
-        common_pixels = f"{bodies} on common pixels of {pixel_size:.4g} nm"
+        common_pixels = f"{body_names} on common pixels of {pixel_size:.4g} nm"
         accepted = f"at most {MAX_MAP_PIXELS} pixels per row of {common_pixels}"
         yield f"config keys surfaces and scan: expected {accepted}, found {pixels}"
 
