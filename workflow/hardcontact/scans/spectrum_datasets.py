@@ -87,12 +87,12 @@ def add_measurements(
     ).assign_coords({axis: (axis, BIN_CENTRES, RAD_PER_NM)})
 
 
-def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
+def convert_described_spectrum(spectrum_data: xr.Dataset, path: str) -> xr.Dataset:
     """Return a substitute spectrum like a joined one, so that pages treat both alike.
 
     Segments with DATA_EVIDENCE become measurements.
     """
-    segments = pd.read_csv(io.StringIO(substitute.attrs["segments"]))
+    segments = pd.read_csv(io.StringIO(spectrum_data.attrs["segments"]))
     segments = segments[segments.evidence.isin(DATA_EVIDENCE)]
     # Adjacent segments, from long to short wavelengths, with the same `source` become one.
     previous = segments.shift()
@@ -110,19 +110,19 @@ def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
         limited_by="source",
     )
     wavelength = 2 * np.pi / BIN_CENTRES
-    density = spectrum_of_dataset(substitute)(BIN_CENTRES)
+    density = spectrum_of_dataset(spectrum_data)(BIN_CENTRES)
     shortest = properties.shortest_reliable.to_numpy()[:, None]
     longest = properties.longest_reliable.to_numpy()[:, None]
     reliable = (shortest < wavelength) & (wavelength <= longest)
     return add_measurements(
-        substitute[["spectrum"]],
+        spectrum_data[["spectrum"]],
         joined_density=np.where(reliable.any(axis=0), density, np.nan),
         densities=np.where(reliable, density, np.nan),
         reliable=reliable,
         properties=properties,
     ).assign_attrs(
         source="substitute",
-        table1_rows_met=substitute.attrs["table1_rows_met"],
+        table1_rows_met=spectrum_data.attrs["table1_rows_met"],
         shortest_measured=properties.shortest_reliable.min(),
         longest_measured=properties.longest_reliable.max(),
         **Tail()._asdict(),

@@ -42,10 +42,10 @@ MIN_BINS = 3
 PSD_ARGUMENTS = {"window": "hann", "reliable": False, "collocation": BIN_EDGES}
 
 
-def too_few_bins_message(scans: str, count: int, bands: str) -> str:
-    """Return the message that scans are reliable in fewer than MIN_BINS bins."""
+def too_few_bins_message(noun: str, count: int, bands: str) -> str:
+    """Return the message that scans, named by a noun, are reliable in fewer than MIN_BINS bins."""
     return (
-        f"expected {scans} that are reliable in at least {MIN_BINS} bins of wavelengths (ten a "
+        f"expected {noun} that are reliable in at least {MIN_BINS} bins of wavelengths (ten a "
         f"decade from 0.1 nm to 100 µm), found {count}: {bands}"
     )
 

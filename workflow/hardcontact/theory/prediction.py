@@ -64,16 +64,17 @@ def prediction(
     """
     trimmed = trim_spectrum(spectrum, name)
     inputs = _input_numbers(trimmed, contact, tolerance)
-    scans = spectrum if isinstance(spectrum, ScanSpectrum) else None
+    scan_spectrum = spectrum if isinstance(spectrum, ScanSpectrum) else None
     # A share of NaN means that no steep sidewalls were found.
-    if scans is not None and scans.joined_dataset["sidewall_slope_share"].notnull().any():
+    if scan_spectrum and scan_spectrum.joined_dataset["sidewall_slope_share"].notnull().any():
         force = Number("closed_form_force", math.nan, "N", status=Validity.STEEP_SIDEWALLS)
         return numbers_by_name(*inputs, force)
     form = closed_form(trimmed, contact)
-    checks = _spectrum_checks(trimmed, contact, form, 0.0 if scans is None else scans.skewness)
+    skewness = scan_spectrum.skewness if scan_spectrum else 0.0
+    checks = _spectrum_checks(trimmed, contact, form, skewness)
     assumptions_hold = all(number.status == Effect.NEGLIGIBLE for number in checks)
-    if scans is not None and scans.is_extrapolated:
-        reliable_force = _reliable_force(scans, contact, tolerance, name)
+    if scan_spectrum and scan_spectrum.is_extrapolated:
+        reliable_force = _reliable_force(scan_spectrum, contact, tolerance, name)
         checks.append(reliable_force)
         assumptions_hold &= reliable_force.status == Validity.INSIDE
     # The fourth assumption does not apply to the extrapolated spectrum itself.
@@ -170,9 +171,11 @@ def _spectrum_checks(
     ]
 
 
-def _reliable_force(scans: ScanSpectrum, contact: Contact, tolerance: float, name: str) -> Number:
+def _reliable_force(
+    scan_spectrum: ScanSpectrum, contact: Contact, tolerance: float, name: str
+) -> Number:
     """Return the force (N) of the reliable waves of scans; INSIDE if its error is known."""
-    reliable_waves = reliable_spectrum(scans.joined_dataset, scans.skewness)
+    reliable_waves = reliable_spectrum(scan_spectrum.joined_dataset, scan_spectrum.skewness)
     numbers = prediction(reliable_waves, contact, tolerance, name)
     force = numbers["closed_form_force"]
     # Without the other waves this force may be OUTSIDE. The extrapolated force has these waves, so
