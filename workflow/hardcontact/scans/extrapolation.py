@@ -180,7 +180,7 @@ def is_tail_known(tail: Tail) -> bool:
 
 
 def extrapolate_short_waves(
-    wavevector: Floats, density: Floats, fit: HurstFit, hurst_deviation: float = 0.0
+    wavevector: Floats, density: Floats, hurst_fit: HurstFit, hurst_deviation: float = 0.0
 ) -> tuple[Floats, Tail]:
     """Return C_iso (nm⁴) on WAVEVECTORS from at least three measured points, and its tail.
 
@@ -191,7 +191,7 @@ def extrapolate_short_waves(
     # The highest measured wavevector may exceed the highest of WAVEVECTORS by rounding.
     interpolated = Spectrum(wavevector, density)(np.minimum(WAVEVECTORS, wavevector[-1]))
     measured_density = np.where(wavevector[-1] * (1 + 1e-9) >= WAVEVECTORS, interpolated, 0.0)
-    exponent = float(np.clip(fit.exponent + hurst_deviation, 0, 1))
+    exponent = float(np.clip(hurst_fit.exponent + hurst_deviation, 0, 1))
     # One point scatters, so the tail starts at the geometric mean of the last MIN_BINS points. Each
     # is first moved to the last wavevector along the slope of the tail.
     relative_wavevector = wavevector[-MIN_BINS:] / wavevector[-1]
@@ -208,7 +208,9 @@ def extrapolate_short_waves(
     extrapolated_density = np.where(is_before_end, endless_density, 0.0)
     if end_index <= last_index:
         return extrapolated_density, Tail(tail_ended_by=ended_by)
-    return extrapolated_density, Tail(exponent, fit.error, fit.shortest, fit.longest, ended_by)
+    return extrapolated_density, Tail(
+        exponent, hurst_fit.error, hurst_fit.shortest, hurst_fit.longest, ended_by
+    )
 
 
 def _find_tail_end(density: Floats) -> tuple[int, TailEnd]:

@@ -245,8 +245,8 @@ def joined_spectrum(scans: Sequence[HeightMap], tip_radii: Sequence[float | None
     curve = _match_height_variance(_smooth_between_peaks(mean_bins), mean_bins.arithmetic_mean)
     curve_density = Spectrum(curve.wavevector, curve.density)(BIN_CENTRES)
     joined_density = np.where(reliable.any(axis=0), curve_density, np.nan)
-    fit = _fit_hurst_without_peaks(mean_bins)
-    density, tail, rolloff = _extrapolate_curve(curve, fit, measured.rolloff_evidence)
+    hurst_fit = _fit_hurst_without_peaks(mean_bins)
+    density, tail, rolloff = _extrapolate_curve(curve, hurst_fit, measured.rolloff_evidence)
     used_bands = [band for band, mask in zip(measured.bands, reliable, strict=True) if mask.any()]
     return add_measurements(
         spectrum_dataset(density),
@@ -293,10 +293,10 @@ def sample_spectra(
         densities = measured.densities * np.exp(log_power_factors - mean_log_factor)[:, None]
         mean_bins = _mean_bins(reliable, densities, measured.modes)
         curve = _smooth_between_peaks(mean_bins, rng)
-        fit = _fit_hurst_without_peaks(mean_bins)
-        hurst_deviation = fit.error * rng.standard_normal()
+        hurst_fit = _fit_hurst_without_peaks(mean_bins)
+        hurst_deviation = hurst_fit.error * rng.standard_normal()
         density, *_ = _extrapolate_curve(
-            curve, fit, measured.rolloff_evidence, rng.uniform(), hurst_deviation
+            curve, hurst_fit, measured.rolloff_evidence, rng.uniform(), hurst_deviation
         )
         spectrum = Spectrum(WAVEVECTORS, density * np.exp(mean_log_factor))
         # C_iso is a square of heights.
@@ -320,13 +320,15 @@ def _fit_hurst_without_peaks(mean_bins: _MeanBins) -> HurstFit:
 
 def _extrapolate_curve(
     curve: _Curve,
-    fit: HurstFit,
+    hurst_fit: HurstFit,
     rolloff_evidence: RolloffEvidence,
     rolloff_probability: float = 0.5,
     hurst_deviation: float = 0.0,
 ) -> tuple[Floats, Tail, float]:
     """Return C_iso (nm⁴) on WAVEVECTORS, extrapolated from a curve, its tail and roll-off (nm)."""
-    density, tail = extrapolate_short_waves(curve.wavevector, curve.density, fit, hurst_deviation)
+    density, tail = extrapolate_short_waves(
+        curve.wavevector, curve.density, hurst_fit, hurst_deviation
+    )
     slopes, _ = local_slopes(*curve)
     slope = float(slopes[0])
     longest = float(2 * np.pi / curve.wavevector[0])
