@@ -65,21 +65,21 @@ def new_study(arguments: Namespace) -> str:
     if all_faults:
         raise_faults([*all_faults, *unit_questions(quantities)])
     rows = surface_rows(scans, proposal.contact_scans, tip_text)
-    table = "".join("\t".join(cells) + "\n" for cells in _header_and_cells(rows))
+    table_text = "".join("\t".join(cells) + "\n" for cells in _header_and_cells(rows))
     report = [
         *_report_lines(scans, left_out, proposal, choices),
-        *_write_study(arguments.name, table, choices, proposal.quick),
+        *_write_study(arguments.name, table_text, choices, proposal.quick),
     ]
     return "\n".join(report)
 
 
 def _write_study(
-    name: str, table: str, choices: Sequence[Choice], quick: Sequence[Choice]
+    name: str, table_text: str, choices: Sequence[Choice], quick: Sequence[Choice]
 ) -> list[str]:
     """Write the table of surfaces and the overlay of a study; return lines on how to run it."""
     overlay_path, table_path = f"config/{name}.yaml", f"config/{name}.tsv"
     command = f"snakemake --configfile {overlay_path}"
-    texts = {table_path: table, overlay_path: _overlay_text(command, choices, quick)}
+    texts = {table_path: table_text, overlay_path: _overlay_text(command, choices, quick)}
     for path, text in texts.items():
         write_text_file(ROOT / path, text)
     return [

@@ -125,15 +125,15 @@ class _Windows:
     def __init__(
         self,
         bodies: Bodies,
-        substrate: Cells,
+        substrate_cells: Cells,
         roughness_maxima: NDArray[np.floating] | None,
         apexes: NDArray[np.int_],
     ) -> None:
-        self.substrate = substrate
+        self.substrate_cells = substrate_cells
         self.sphere_roughness = bodies.sphere_roughness
         self.roughness_maxima = roughness_maxima
         self.geometry = geometry = bodies.geometry
-        offset, index, is_met = substrate.cells_in_window(apexes, geometry.window_pixels)
+        offset, index, is_met = substrate_cells.cells_in_window(apexes, geometry.window_pixels)
         nearest_offset = np.maximum(np.maximum(offset, -(offset + CELL_PIXELS - 1)), 0)
         sphere_minima = np.where(is_met, geometry.paraboloid(nearest_offset), np.inf)
         padding = ((0, 0), (0, 0), (0, -sphere_minima.shape[-1] % GROUP_CELLS))
@@ -148,7 +148,7 @@ class _Windows:
         minima = self.sphere_minima.reshape(contact_count, axis_count, -1, GROUP_CELLS).min(axis=-1)
         groups = self.index[:, :, ::GROUP_CELLS]
         bounds = minima[:, 0, :, None] + minima[:, 1, None, :]
-        bounds -= self.substrate.group_maxima[groups[:, 0, :, None], groups[:, 1, None, :]]
+        bounds -= self.substrate_cells.group_maxima[groups[:, 0, :, None], groups[:, 1, None, :]]
         if self.roughness_maxima is not None:
             bounds -= self.roughness_maxima.max()
         return np.asarray(bounds.reshape(contact_count, -1))
@@ -162,7 +162,9 @@ class _Windows:
         column = (group_column[:, None] * GROUP_CELLS + np.arange(GROUP_CELLS))[:, None, :]
         number = contact_numbers[:, None, None]
         bounds = self.sphere_minima[number, 0, row] + self.sphere_minima[number, 1, column]
-        bounds -= self.substrate.maxima[self.index[number, 0, row], self.index[number, 1, column]]
+        bounds -= self.substrate_cells.maxima[
+            self.index[number, 0, row], self.index[number, 1, column]
+        ]
         if self.sphere_roughness is not None and self.roughness_maxima is not None:
             sphere_cells = self.offset % self.sphere_roughness.pixels // CELL_PIXELS
             bounds -= self.roughness_maxima[
@@ -181,7 +183,7 @@ class _Windows:
         x = self.offset[number, 1, column][:, None] + np.arange(CELL_PIXELS)
         cell_y, cell_x = self.index[number, 0, row], self.index[number, 1, column]
         gaps: Floats = self._sphere_in_window(y)[:, :, None] + self._sphere_in_window(x)[:, None, :]
-        gaps -= self.substrate.heights[cell_y, :, cell_x, :]
+        gaps -= self.substrate_cells.heights[cell_y, :, cell_x, :]
         if self.sphere_roughness is not None:
             period = self.sphere_roughness.pixels
             gaps -= self.sphere_roughness.heights[y[:, :, None] % period, x[:, None, :] % period]
@@ -260,7 +262,7 @@ def _gaps_up_to(
 
 def all_contact_pixels(bodies: Bodies, contact_pixel_count: int) -> ContactPixels:
     """Return the contact pixels (contact_y, contact_x, k) of every contact of the array."""
-    substrate = cut_into_cells(bodies.substrate)
+    substrate_cells = cut_into_cells(bodies.substrate)
     roughness_maxima = None
     if bodies.sphere_roughness is not None:
         # Per axis, a cell meets up to three of the sphere, because the last may be narrower.
@@ -270,7 +272,7 @@ def all_contact_pixels(bodies: Bodies, contact_pixel_count: int) -> ContactPixel
     pixels: list[ContactPixels] = []
     for start in range(0, len(flat_apexes), CONTACTS_AT_ONCE):
         batch = flat_apexes[start : start + CONTACTS_AT_ONCE]
-        windows = _Windows(bodies, substrate, roughness_maxima, batch)
+        windows = _Windows(bodies, substrate_cells, roughness_maxima, batch)
         pixels += _find_contact_pixels(windows, contact_pixel_count)
     gaps, offsets = (np.stack(arrays) for arrays in zip(*pixels, strict=True))
     shape = apexes.shape[:2]

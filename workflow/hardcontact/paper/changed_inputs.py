@@ -18,13 +18,13 @@ def contact_inputs(configuration: Mapping[str, Any]) -> dict[str, str]:
 
 
 def changed_inputs(
-    contact: Mapping[str, str], substrates: Sequence[str], table1: pd.DataFrame
+    study_inputs: Mapping[str, str], substrates: Sequence[str], table1: pd.DataFrame
 ) -> list[dict[str, str]]:
     """Return inputs, from `contact_inputs`, and coatings that differ, with both values."""
     # The inputs of the paper are the defaults of a study.
     paper_inputs = contact_inputs(Study().model_dump(warnings=False))
     paper_inputs["coatings"] = ", ".join(sorted(set(table1["surface"])))
-    inputs = {**contact, "coatings": ", ".join(sorted(substrates))}
+    inputs = {**study_inputs, "coatings": ", ".join(sorted(substrates))}
     return [
         {"input": name, "paper": paper_value, "study": inputs[name]}
         for name, paper_value in paper_inputs.items()

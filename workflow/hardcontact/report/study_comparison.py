@@ -230,10 +230,12 @@ def _sampling(sets: xr.Dataset) -> list[Any]:
     return [parameters[name] for name in SAMPLING_PARAMETERS] + settings
 
 
-def _recorded_surfaces(study: Mapping[str, xr.Dataset]) -> xr.Dataset:
+def _recorded_surfaces(datasets: Mapping[str, xr.Dataset]) -> xr.Dataset:
     """Return the roughness of a study's scans, and transitions and spectrum ends of its masters."""
-    scans = study["topography"][list(TABLE1_METRICS.values())]
-    return xr.merge([scans, study["filtered_forces"][["spectrum_end", "transition"]]], join="outer")
+    scans = datasets["topography"][list(TABLE1_METRICS.values())]
+    return xr.merge(
+        [scans, datasets["filtered_forces"][["spectrum_end", "transition"]]], join="outer"
+    )
 
 
 def add_paired_intervals(
@@ -256,10 +258,10 @@ def add_paired_intervals(
     return paired_numbers
 
 
-def _set_numbers(study: Mapping[str, xr.Dataset]) -> dict[tuple[str, str], xr.DataArray]:
+def _set_numbers(datasets: Mapping[str, xr.Dataset]) -> dict[tuple[str, str], xr.DataArray]:
     """Return the numbers (set,) or (candidate,) by the label of the surface and their name."""
-    sets, features = study["sets"], study["features"]
-    labels = study["topography"]["label"].to_series()[sets["surface"].values]
+    sets, features = datasets["sets"], datasets["features"]
+    labels = datasets["topography"]["label"].to_series()[sets["surface"].values]
     claims = {("", name): claim for name, claim in ANSWER_CLAIMS.items()}
     claims |= {(label, "mean_force"): f"mean_force_{surface}" for surface, label in labels.items()}
     numbers = {
