@@ -6,7 +6,7 @@ waves cannot stand for the waves of this surface, so they cannot extrapolate the
 Gaussian surface the force changes little.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -82,14 +82,7 @@ def hindcast_forces(
             shape = (1 + ARTIFICIAL_OCTAVE_COUNT, contacts_per_row, contacts_per_row)
             forces = np.full(shape, np.nan)
         else:
-            seed_word = SEED_WORDS[side]
-            kept_heights, scan_octave = _split_at_octave(mirrored, side, octave)
-            artificial_octaves = [
-                sum(_artificial_octave(mirrored, octave, body, seed_word, index) for body in bodies)
-                for index in range(ARTIFICIAL_OCTAVE_COUNT)
-            ]
-            all_octaves = scan_octave, *artificial_octaves
-            surfaces = (replace(mirrored, heights=kept_heights + waves) for waves in all_octaves)
+            surfaces = _surfaces_with_octaves(mirrored, side, octave, bodies)
             forces = np.array([compute_forces(surface) for surface in surfaces])
         variables = {
             "scan_octave_force": (CONTACT_AXES, forces[0], FORCE_ATTRS),
@@ -97,6 +90,20 @@ def hindcast_forces(
         }
         side_forces[(side,)] = xr.Dataset(variables)
     return stack(side_forces, ["side"])
+
+
+def _surfaces_with_octaves(
+    mirrored: HeightMap, side: str, octave: Octave, bodies: Sequence[RandomBody]
+) -> Iterator[HeightMap]:
+    """Yield the mirrored scan without waves beyond an octave, then with each artificial octave."""
+    seed_word = SEED_WORDS[side]
+    kept_heights, scan_octave = _split_at_octave(mirrored, side, octave)
+    yield replace(mirrored, heights=kept_heights + scan_octave)
+    for index in range(ARTIFICIAL_OCTAVE_COUNT):
+        body_octaves = [
+            _artificial_octave(mirrored, octave, body, seed_word, index) for body in bodies
+        ]
+        yield replace(mirrored, heights=kept_heights + sum(body_octaves))
 
 
 def _split_at_octave(
