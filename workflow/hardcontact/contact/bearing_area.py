@@ -109,9 +109,9 @@ class WindowCells(NamedTuple):
         contact_numbers, row, column, bounds = self
         return WindowCells(contact_numbers[index], row[index], column[index], bounds[index])
 
-    def cells_within(self, limits: Floats) -> "WindowCells":
+    def cells_within(self, gap_limits: Floats) -> "WindowCells":
         """Return the cells whose bounds are at most the limits (contact,) in nm."""
-        return self.select(self.bounds <= limits[self.contact_numbers])
+        return self.select(self.bounds <= gap_limits[self.contact_numbers])
 
 
 class _Windows:
@@ -207,16 +207,16 @@ def _find_contact_pixels(windows: _Windows, contact_pixel_count: int) -> list[Co
     low_groups = np.nonzero(group_bounds <= first_limits[:, None])
     low_cells = windows.cells_of_groups(*low_groups).cells_within(first_limits)
     # Cells of lower bounds, from all groups, give lower limits.
-    limits = np.minimum(first_limits, _limits_of_gaps(windows, low_cells, contact_pixel_count))
-    cells = low_cells.cells_within(limits)
+    gap_limits = np.minimum(first_limits, _limits_of_gaps(windows, low_cells, contact_pixel_count))
+    cells = low_cells.cells_within(gap_limits)
     gaps_of_batches = [
-        _gaps_up_to(windows, cells.select(slice(start, start + CELLS_AT_ONCE)), limits)
+        _gaps_up_to(windows, cells.select(slice(start, start + CELLS_AT_ONCE)), gap_limits)
         for start in range(0, len(cells.contact_numbers), CELLS_AT_ONCE)
     ]
     contact_numbers, gaps, offsets = (
         np.concatenate(arrays) for arrays in zip(*gaps_of_batches, strict=True)
     )
-    ends = np.searchsorted(contact_numbers, np.arange(1, len(limits)))
+    ends = np.searchsorted(contact_numbers, np.arange(1, len(gap_limits)))
     contact_pixels = []
     for low_gaps, low_offsets in zip(np.split(gaps, ends), np.split(offsets, ends), strict=True):
         order = np.lexsort((low_offsets[:, 1], low_offsets[:, 0], low_gaps))[:contact_pixel_count]
@@ -250,11 +250,11 @@ def _lowest_columns(bounds: Floats, count: int) -> NDArray[np.int_]:
 
 
 def _gaps_up_to(
-    windows: _Windows, cells: WindowCells, limits: Floats
+    windows: _Windows, cells: WindowCells, gap_limits: Floats
 ) -> tuple[NDArray[np.int_], Floats, NDArray[np.int_]]:
     """Return contact numbers, reference gaps and offsets (gap, 2) up to the limits (contact,)."""
     gaps, rows, columns = windows.cell_gaps(cells)
-    low_indices = np.flatnonzero(gaps <= limits[cells.contact_numbers, None, None])
+    low_indices = np.flatnonzero(gaps <= gap_limits[cells.contact_numbers, None, None])
     cell, y, x = np.unravel_index(low_indices, gaps.shape)
     offsets = np.stack([rows[cell, y], columns[cell, x]], axis=1)
     return cells.contact_numbers[cell], gaps.ravel()[low_indices], offsets
@@ -269,11 +269,11 @@ def all_contact_pixels(bodies: Bodies, contact_pixel_count: int) -> ContactPixel
         roughness_maxima = _maxima_of_squares(cut_into_cells(bodies.sphere_roughness).maxima, 3)
     apexes = bodies.geometry.apexes()
     flat_apexes = apexes.reshape(-1, 2)
-    pixels: list[ContactPixels] = []
+    contact_pixels: list[ContactPixels] = []
     for start in range(0, len(flat_apexes), CONTACTS_AT_ONCE):
         batch = flat_apexes[start : start + CONTACTS_AT_ONCE]
         windows = _Windows(bodies, substrate_cells, roughness_maxima, batch)
-        pixels += _find_contact_pixels(windows, contact_pixel_count)
-    gaps, offsets = (np.stack(arrays) for arrays in zip(*pixels, strict=True))
+        contact_pixels += _find_contact_pixels(windows, contact_pixel_count)
+    gaps, offsets = (np.stack(arrays) for arrays in zip(*contact_pixels, strict=True))
     shape = apexes.shape[:2]
     return ContactPixels(gaps.reshape(*shape, -1), offsets.reshape(*shape, -1, 2))

@@ -8,10 +8,10 @@ from hardcontact.contact.bearing_area import ContactPixels
 from hardcontact.contact.geometry import Bodies
 
 
-def number_patches(pixels: NDArray[np.int_]) -> tuple[NDArray[np.int_], int]:
-    """Return the number (...) of the patch of each pixel (..., 2), from 1, and the patch count."""
-    corner = pixels.reshape(-1, 2).min(axis=0)
-    rows, columns = np.moveaxis(pixels - corner, -1, 0)
+def number_patches(points: NDArray[np.int_]) -> tuple[NDArray[np.int_], int]:
+    """Return the number (...) of the patch of each point (..., 2), from 1, and the patch count."""
+    corner = points.reshape(-1, 2).min(axis=0)
+    rows, columns = np.moveaxis(points - corner, -1, 0)
     is_set = np.zeros((rows.max() + 1, columns.max() + 1), bool)
     is_set[rows, columns] = True
     patch_numbers, count = scipy.ndimage.label(is_set, np.ones((3, 3)))
