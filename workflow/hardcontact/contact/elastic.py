@@ -128,8 +128,8 @@ def press(half_space: HalfSpace, gap: Floats, load: float) -> tuple[Floats, Floa
         overlaps = gap_left < -MAX_OVERLAP
         if not overlaps.any():
             return all_forces, gap_left
-        # Few pixels under the whole load sink so far that most others overlap: so the candidates at
-        # most double.
+        # If few candidates carry the whole load, they sink so far that most other pixels overlap,
+        # although few of these will touch. So the candidates at most double.
         other_gaps = np.where(is_candidate, np.inf, gap_left)
         added_count = min(int((overlaps & ~is_candidate).sum()), len(candidates))
         is_candidate |= other_gaps <= largest_contact_gap(other_gaps, added_count)
@@ -154,9 +154,9 @@ def adhesive_pull_off(
     stretches the bodies by over rho/10.
     """
     rigid_gap = gap - gap.min()
-    strength = work / rho * pixel_size**2
+    strength = work / rho * pixel_size**2  # attraction of a pixel that touches, in nN
     rigid_attraction = strength * np.exp(-rigid_gap / rho)
-    rigid = float(rigid_attraction.sum())
+    rigid_force = float(rigid_attraction.sum())
     half_space = HalfSpace(len(gap), pixel_size, modulus)
     stretch = half_space.displacement(rigid_attraction).max()
     if stretch > rho / 10:
@@ -181,16 +181,17 @@ def adhesive_pull_off(
                 return float(attraction.sum()) - load, attraction
         raise ValueError(f"{EXPECTED_EQUILIBRIUM}, found none")
 
-    step = LOAD_STEP * rigid
-    elastic, unloaded_attraction = pull(0.0, rigid_attraction)
+    step = LOAD_STEP * rigid_force
+    elastic_force, unloaded_attraction = pull(0.0, rigid_attraction)
 
     def negative_force(load: float) -> float:
         return -pull(load, unloaded_attraction)[0]
 
     # A contact stiffens under its load: if the first step gains nothing, no later one does.
-    if negative_force(step) < -elastic:
-        elastic = -minimize_scalar(negative_force, bounds=(0, rigid), options={"xatol": step}).fun
-    return rigid * NANONEWTON, elastic * NANONEWTON
+    if negative_force(step) < -elastic_force:
+        loads = (0, rigid_force)
+        elastic_force = -minimize_scalar(negative_force, bounds=loads, options={"xatol": step}).fun
+    return rigid_force * NANONEWTON, elastic_force * NANONEWTON
 
 
 def _pressure_around_peak(pressure: Floats, pixel_size: float) -> xr.DataArray:
