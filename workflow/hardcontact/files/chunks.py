@@ -86,12 +86,12 @@ class Chunks:
             return []
         # Each set takes one candidate, bumps and pits in turn.
         candidates_per_kind = ceil(self._study["sets"]["count"] / len(FEATURE_SIGNS))
-        counts = {kind: candidates_per_kind for kind in FEATURE_SIGNS}
+        counts = {feature_kind: candidates_per_kind for feature_kind in FEATURE_SIGNS}
         # Gaussian surfaces only serve for comparison.
         counts[GAUSSIAN] = min(candidates_per_kind, CANDIDATES_PER_JOB)
         return [
-            CandidateChunk(surface, kind, *span)
-            for kind, count in counts.items()
+            CandidateChunk(surface, feature_kind, *span)
+            for feature_kind, count in counts.items()
             for span in _spans(count, CANDIDATES_PER_JOB)
         ]
 

@@ -24,7 +24,7 @@ from hardcontact.surfaces.features import (
     FEATURE_KINDS,
     FEATURE_SIGNS,
     FeaturedSurface,
-    alternating_kind,
+    alternating_feature_kind,
     sample_featured_scans,
 )
 from hardcontact.surfaces.levelling import level_plane
@@ -41,7 +41,7 @@ CANDIDATE_STATISTICS = {
 
 
 def compute_candidates(
-    kind: str,
+    feature_kind: str,
     numbers: Sequence[int],
     featured: FeaturedSurface,
     scan_count: int,
@@ -51,7 +51,9 @@ def compute_candidates(
     """Return features, roughness and `smooth_sphere_forces` of candidates of a kind of features."""
     candidates = []
     for number in progress(numbers, len(numbers), "surfaces with features"):
-        features, scans = sample_featured_scans(featured, kind, range(1, scan_count + 1), number)
+        features, scans = sample_featured_scans(
+            featured, feature_kind, range(1, scan_count + 1), number
+        )
         scan_results = {}
         for index, scan in enumerate(map(level_plane, scans), 1):
             forces = smooth_sphere_forces(scan, contact, ranges)
@@ -66,18 +68,18 @@ def candidates_by_surface(
 ) -> dict[str, dict[str, xr.Dataset]]:
     """Return the candidates of each surface and kind of features.
 
-    A chunk from `compute_candidates` has the key surface, kind, first and last candidate.
+    The key of a chunk is its surface, kind of features, first and last candidate.
     """
     surfaces: dict[str, dict[str, xr.Dataset]] = {}
-    for (surface, kind), candidates in concatenate(chunks, "candidate", 2).items():
-        surfaces.setdefault(surface, {})[kind] = candidates
+    for (surface, feature_kind), candidates in concatenate(chunks, "candidate", 2).items():
+        surfaces.setdefault(surface, {})[feature_kind] = candidates
     return surfaces
 
 
 def candidate_of_set(candidates: Mapping[str, xr.Dataset], set_number: int) -> xr.Dataset:
     """Return the candidate that no other set has: bumps for odd sets, pits for even sets."""
     index, kind_index = divmod(set_number - 1, len(FEATURE_SIGNS))
-    return candidates[alternating_kind(kind_index)].isel(candidate=index, drop=True)
+    return candidates[alternating_feature_kind(kind_index)].isel(candidate=index, drop=True)
 
 
 def compare_features(

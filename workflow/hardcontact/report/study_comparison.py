@@ -275,7 +275,7 @@ def _set_numbers(datasets: Mapping[str, xr.Dataset]) -> dict[tuple[str, str], xr
     for side, name in EDGE_NAMES.items():
         for surface, label in labels.items():
             numbers[label, name] = sets["edge"].sel(side=side, group=surface)
-    for kind, name in product(features["features"].values, FORCE_UNITS):
-        key = "", f"{kind}_{name.removesuffix('_at_pair')}"
-        numbers[key] = features[name].sel(features=kind)
+    for feature_kind, name in product(features["features"].values, FORCE_UNITS):
+        key = "", f"{feature_kind}_{name.removesuffix('_at_pair')}"
+        numbers[key] = features[name].sel(features=feature_kind)
     return numbers

@@ -51,7 +51,7 @@ TRIES_AT_ONCE = 1000
 PERMITTED_SAMPLES = 100
 
 
-def alternating_kind(index: int) -> str:
+def alternating_feature_kind(index: int) -> str:
     """Return bumps for an even index, pits for an odd index."""
     return list(FEATURE_SIGNS)[index % len(FEATURE_SIGNS)]
 
@@ -189,14 +189,14 @@ class FeaturedSurface(NamedTuple):
     substitute: Substitute  #: Its spectrum is that of the base, before the base factor.
     statistics: ScanStatistics
 
-    def sample_features(self, kind: str, scan_count: int, *seed_words: object) -> Features:
+    def sample_features(self, feature_kind: str, scan_count: int, *seed_words: object) -> Features:
         """Sample features of a kind; GAUSSIAN has none, only a base factor."""
-        if kind == GAUSSIAN:  # The base alone has the published rms height over all scales.
+        if feature_kind == GAUSSIAN:  # The base alone has the published rms height over all scales.
             base_factor = self.statistics.all_rms_height / float(self.statistics.means[0])
             return Features(0.0, 0.0, np.nan, base_factor, (0,) * scan_count)
         grid = self.substitute.grid
-        rng = self.substitute.generator(kind, *seed_words, "features")
-        sign = FEATURE_SIGNS[kind]
+        rng = self.substitute.generator(feature_kind, *seed_words, "features")
+        sign = FEATURE_SIGNS[feature_kind]
         return sample_permitted_features(rng, self.statistics, scan_count, grid, sign)
 
     def to_variables(self, features: Features) -> dict[str, xr.Variable]:
@@ -237,9 +237,9 @@ def whole_surface(
         )
         return random_surface(rng, pixels, pixel_size, spectrum)
     featured = featured_surface(substitute)
-    kind = alternating_kind(number - 1)
+    feature_kind = alternating_feature_kind(number - 1)
     scan_count = featured.statistics.scan_count
-    features = featured.sample_features(kind, scan_count, number, "whole surface")
+    features = featured.sample_features(feature_kind, scan_count, number, "whole surface")
     base = random_surface(rng, pixels, pixel_size, substitute.spectrum)
     base = replace(base, heights=np.float32(features.base_factor) * base.heights)
     feature_rng = substitute.generator(number, "whole surface", "features")
@@ -248,14 +248,14 @@ def whole_surface(
 
 
 def sample_featured_scans(
-    featured: FeaturedSurface, kind: str, scan_numbers: Sequence[int], *seed_words: object
+    featured: FeaturedSurface, feature_kind: str, scan_numbers: Sequence[int], *seed_words: object
 ) -> tuple[Features, list[HeightMap]]:
     """Sample features of a kind, and scans with them; `seed_words` choose the random numbers."""
     substitute = featured.substitute
-    features = featured.sample_features(kind, len(scan_numbers), *seed_words)
+    features = featured.sample_features(feature_kind, len(scan_numbers), *seed_words)
     scans = []
     for scan_number, count in zip(scan_numbers, features.counts, strict=True):
-        rng = substitute.generator(kind, *seed_words, scan_number, "featured scan")
+        rng = substitute.generator(feature_kind, *seed_words, scan_number, "featured scan")
         base = sample_scan(rng, substitute.spectrum, substitute.grid, features.base_factor)
         scans.append(add_features(rng, base, features, count))
     return features, scans
@@ -270,15 +270,19 @@ def nearest_featured_scans(
     """
     choices = []
     for sample_number in range(PERMITTED_SAMPLES):
-        kind = alternating_kind(sample_number)
+        feature_kind = alternating_feature_kind(sample_number)
         # The first scan number seeds the features of a batch of scans.
-        features = featured.sample_features(kind, len(scan_numbers), scan_numbers[0], sample_number)
+        features = featured.sample_features(
+            feature_kind, len(scan_numbers), scan_numbers[0], sample_number
+        )
         added = feature_squares(features.height, features.width, featured.substitute.grid.size)
         rms_values = featured_rms(features.base_factor, features.counts, added, featured.statistics)
         differences = standardized_differences(rms_values, featured.statistics)
-        choices.append((float(np.linalg.norm(differences)), kind, sample_number))
-    _, kind, sample_number = min(choices)
-    return sample_featured_scans(featured, kind, scan_numbers, scan_numbers[0], sample_number)
+        choices.append((float(np.linalg.norm(differences)), feature_kind, sample_number))
+    _, feature_kind, sample_number = min(choices)
+    return sample_featured_scans(
+        featured, feature_kind, scan_numbers, scan_numbers[0], sample_number
+    )
 
 
 def make_featured_scans(

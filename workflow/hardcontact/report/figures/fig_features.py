@@ -10,7 +10,7 @@ from hardcontact.base.statistics import log_std_of_lognormal
 from hardcontact.report.figures import drawing, style
 
 #: Symbol, colour and words of each kind of surface; no coating has these colours.
-KIND_LOOKS: dict[str, style.Look] = {
+FEATURE_LOOKS: dict[str, style.Look] = {
     "bumps": {"marker": "^", "color": "#882255", "label": "bumps"},
     "pits": {"marker": "v", "color": "#332288", "label": "pits"},
     "gaussian": {"marker": "o", "color": "0.6", "label": "Gaussian, height over all scales"},
@@ -22,8 +22,8 @@ def draw(features: xr.Dataset, published_pull_off: pd.DataFrame) -> Figure:
     """Draw (a) median and (b) scatter of the forces on each surface against their mean."""
     figure = drawing.create_figure(3.2, features)
     median_axes, scatter_axes = figure.subplots(1, 2)
-    for kind, look in KIND_LOOKS.items():
-        candidates = features.sel(features=kind)
+    for feature_kind, look in FEATURE_LOOKS.items():
+        candidates = features.sel(features=feature_kind)
         mean = candidates["mean_force_at_pair"] / style.MICRONEWTON
         median = candidates["median_force_at_pair"] / style.MICRONEWTON
         median_axes.scatter(mean, median, s=14, **look)
@@ -47,7 +47,9 @@ def draw(features: xr.Dataset, published_pull_off: pd.DataFrame) -> Figure:
     style.label_logarithmic(
         median_axes.xaxis, median_axes.yaxis, scatter_axes.xaxis, digits=(1, 2, 5)
     )
-    handles = [Line2D([], [], ls="none", **look) for look in (*KIND_LOOKS.values(), published_look)]
+    handles = [
+        Line2D([], [], ls="none", **look) for look in (*FEATURE_LOOKS.values(), published_look)
+    ]
     handles.append(Line2D([], [], label="median = mean (a)", **EQUALITY_LOOK))
     style.legend_above(figure, handles, max_columns=5)
     return figure

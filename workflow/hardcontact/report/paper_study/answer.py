@@ -226,10 +226,10 @@ def _feature_numbers(features: xr.Dataset, confidence: float) -> Iterator[Number
     """Yield the share of candidates of each kind that agree, their forces, and published forces."""
     if features.sizes["candidate"] == 0:
         return
-    for kind, candidates in features.groupby("features"):
-        yield Number(f"{kind}_candidates_that_agree", candidates["agrees"].mean().item())
+    for feature_kind, candidates in features.groupby("features"):
+        yield Number(f"{feature_kind}_candidates_that_agree", candidates["agrees"].mean().item())
         for variable, unit in FORCE_UNITS.items():
-            name = f"{kind}_{variable.removesuffix('_at_pair')}"
+            name = f"{feature_kind}_{variable.removesuffix('_at_pair')}"
             yield _median_number(name, unit, candidates[variable].values.ravel(), confidence)
     for variable, unit in FORCE_UNITS.items():
         name = variable.removesuffix("_at_pair")
