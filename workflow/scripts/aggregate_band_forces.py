@@ -1,6 +1,6 @@
 """Forces with a part of the roughness, relative to those with all of it: band_forces.nc."""
 
-from hardcontact.base.dataset import add_surface_names, read_by_name, stack
+from hardcontact.base.dataset import add_labels_and_sources, read_by_name, stack
 from hardcontact.inference.band_forces import band_ratios
 from hardcontact.inference.scan_parts import parts_of_maps
 from hardcontact.records.job import run_job
@@ -18,7 +18,7 @@ with run_job(snakemake) as job:
     # The bands are the same on all surfaces.
     first_surface = params["band_surfaces"][0]
     band_edge = forces_by_surface[first_surface]["band_edge"].isel(map=0, drop=True)
-    band_forces = add_surface_names(band_forces.assign(band_edge=band_edge), params)
+    band_forces = add_labels_and_sources(band_forces.assign(band_edge=band_edge), params)
     job.write(
         band_forces.assign_attrs(confidence=confidence, rho=rho),
         title="pull-off force with a part of the roughness, relative to that with all roughness",

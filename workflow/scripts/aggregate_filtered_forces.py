@@ -1,6 +1,6 @@
 """Pull-off forces on all masters, filtered and unfiltered, and their ratios: filtered_forces.nc."""
 
-from hardcontact.base.dataset import add_surface_names
+from hardcontact.base.dataset import add_labels_and_sources
 from hardcontact.base.units import NM
 from hardcontact.inference.forces_on_masters import add_spectrum_shifts, read_master_forces
 from hardcontact.records.job import run_job
@@ -14,7 +14,7 @@ with run_job(snakemake) as job:
             params["sampled_surfaces"], job.input.sampled_master_forces, loading
         )
         forces = add_spectrum_shifts(forces, sampled_forces)
-    forces = add_surface_names(forces, params)
+    forces = add_labels_and_sources(forces, params)
     transitions = [params["transitions"][side] for side in forces["side"].values]
     forces = forces.assign(transition=("side", transitions, NM))
     forces.attrs |= {name: params[name] for name in ("rho", "sphere_radius")}

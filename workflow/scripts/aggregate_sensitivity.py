@@ -3,7 +3,7 @@
 import numpy as np
 
 from hardcontact.base.dataset import (
-    add_surface_names,
+    add_labels_and_sources,
     concatenate,
     read_by_key,
     read_dataset,
@@ -27,6 +27,6 @@ with run_job(snakemake) as job:
         sensitivities[(surface,)] = octave_sensitivities(forces, scan_parts, confidence)
     sensitivity = stack(sensitivities, ["surface"]).sortby("octave")
     job.write(
-        add_surface_names(sensitivity, params).assign_attrs(confidence=confidence, rho=rho),
+        add_labels_and_sources(sensitivity, params).assign_attrs(confidence=confidence, rho=rho),
         title="change of the pull-off force with the amplitude of each octave of wavelengths",
     )

@@ -1,6 +1,6 @@
 """Metrics and PSDs of every scan, mean metrics, spectra, and example maps: topography.nc."""
 
-from hardcontact.base.dataset import add_surface_names, read_by_name
+from hardcontact.base.dataset import add_labels_and_sources, read_by_name
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.height_map import load_height_map
 from hardcontact.surfaces.topography import measured_roughness, topography_dataset
@@ -18,7 +18,7 @@ with run_job(snakemake) as job:
         examples=read_by_name(params["surfaces"], job.input.examples),
         confidence=attributes["confidence"],
     )
-    topography = add_surface_names(topography, attributes)
+    topography = add_labels_and_sources(topography, attributes)
     topography.attrs |= {name: attributes[name] for name in ("sphere_surface", "reference_surface")}
     job.write(
         topography, title="topography of all surfaces: rms metrics and power spectral densities"

@@ -1,6 +1,6 @@
 """Short edges of plastic and rigid contact at two ranges of adhesion: edge_shifts.nc."""
 
-from hardcontact.base.dataset import add_surface_names
+from hardcontact.base.dataset import add_labels_and_sources
 from hardcontact.base.statistics import Sampling
 from hardcontact.inference.forces_on_masters import read_master_forces
 from hardcontact.paper.contact_dependence import compute_edge_shifts
@@ -12,4 +12,4 @@ with run_job(snakemake) as job:
     forces = read_master_forces(params["surfaces"], job.input.master_forces)
     edge_shifts = compute_edge_shifts(forces, params["tolerance"], sampling)
     title = "short edges of plastic and rigid contact at two ranges of adhesion"
-    job.write(add_surface_names(edge_shifts, params), title)
+    job.write(add_labels_and_sources(edge_shifts, params), title)

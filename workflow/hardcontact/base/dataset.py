@@ -104,7 +104,7 @@ def variables_of_columns(
     }
 
 
-def add_surface_names(dataset: xr.Dataset, parameters: Mapping[str, Any]) -> xr.Dataset:
+def add_labels_and_sources(dataset: xr.Dataset, parameters: Mapping[str, Any]) -> xr.Dataset:
     """Return a dataset with the label and the source of each surface, from a job's parameters."""
     surfaces = dataset["surface"].values.tolist()
     return dataset.assign(

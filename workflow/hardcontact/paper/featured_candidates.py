@@ -68,7 +68,8 @@ def candidates_by_surface(
 ) -> dict[str, dict[str, xr.Dataset]]:
     """Return the candidates of each surface and kind of features.
 
-    The key of a chunk is its surface, kind of features, first and last candidate.
+    Chunks come from `compute_candidates`. The key of a chunk is its surface, kind of features,
+    first and last candidate.
     """
     surfaces: dict[str, dict[str, xr.Dataset]] = {}
     for (surface, feature_kind), candidates in concatenate(chunks, "candidate", 2).items():
