@@ -12,7 +12,7 @@ from hardcontact.surfaces.synthesis import SIDES, master_generator, synthesize_m
 
 with run_job(snakemake) as job:
     params = job.parameters
-    seed, surface_name, stream = params["seed"], params["surface"], params["stream"]
+    seed, surface, stream = params["seed"], params["surface"], params["stream"]
     radii, ranges = params["radii"], params["ranges"]
     contact_grid = {name: params[name] for name in ("window", "contacts_per_row")}
     # `filtered_pull_off` replaces the radius by each of the radii.
@@ -34,12 +34,12 @@ with run_job(snakemake) as job:
                 factor = spectrum_data.attrs.get("height_factor", 1.0)
                 scan = replace(scan, heights=scan.heights * factor)
                 spectrum = spectrum_of_dataset(spectrum_data)
-                rng = master_generator(seed, surface_name, realization, side, stream)
+                rng = master_generator(seed, surface, realization, side, stream)
                 master = synthesize_master(side, rng, scan, settings, spectrum)
                 del scan  # The forces need the memory.
             filters = Filters(side, settings["pixels"], settings["cutoffs"])
             forces[realization, side] = filtered_pull_off(
                 master, filters, contacts, sphere, radii, ranges
             )
-    title = f"pull-off of filtered masters of {surface_name}"
+    title = f"pull-off of filtered masters of {surface}"
     job.write(stack(forces, ["realization", "side"]), title)

@@ -9,11 +9,11 @@ from hardcontact.surfaces.spectrum import spectrum_dataset
 
 with run_job(snakemake) as job:
     params = job.parameters
-    surface_name = params["surface"]
+    surface = params["surface"]
     contact_scan_indices = params["contact_scan_indices"]
     realizations = range(1, len(job.output) + 1)
     rngs = (
-        generator(params["seed"], surface_name, realization, "drawn spectrum")
+        generator(params["seed"], surface, realization, "drawn spectrum")
         for realization in realizations
     )
     scans = [
@@ -25,4 +25,4 @@ with run_job(snakemake) as job:
         # Realizations use the scans in turn, like the masters with which they are compared.
         factor = height_factors[contact_scan_indices[index % len(contact_scan_indices)]]
         sampled = spectrum_dataset(spectrum.density).assign_attrs(height_factor=factor)
-        job.write(sampled, f"a spectrum that the measurements of {surface_name} allow", index)
+        job.write(sampled, f"a spectrum that the measurements of {surface} allow", index)

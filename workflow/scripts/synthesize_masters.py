@@ -7,11 +7,11 @@ from hardcontact.surfaces.synthesis import BAND_STREAM, master_generator, synthe
 
 with run_job(snakemake) as job:
     params = job.parameters
-    surface_name, realization = params["surface"], params["realization"]
+    surface, realization = params["surface"], params["realization"]
     scan = load_height_map(job.input.scan)
     spectrum = load_spectrum(job.input.spectrum)
     for side, settings in params["sides"].items():
-        rng = master_generator(params["seed"], surface_name, realization, side, BAND_STREAM)
+        rng = master_generator(params["seed"], surface, realization, side, BAND_STREAM)
         master = synthesize_master(side, rng, scan, settings, spectrum)
-        title = f"{side}-edge master: realization {realization} of {surface_name}"
+        title = f"{side}-edge master: realization {realization} of {surface}"
         job.write(master.to_dataset(), title, side)

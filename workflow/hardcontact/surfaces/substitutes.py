@@ -73,7 +73,7 @@ class Targets(NamedTuple):
 class Substitute:
     """A substitute: its spectrum, its published statistics, and the grid of its scans."""
 
-    surface_name: str
+    surface: str
     spectrum_data: xr.Dataset  #: Its calibrated spectrum, from `substitute_spectrum`.
     table1: pd.DataFrame  #: Its rows of Table 1, from `rows_of_surface`.
     constants: pd.DataFrame  #: Numbers of the paper, from `read_constants`.
@@ -82,7 +82,7 @@ class Substitute:
 
     def generator(self, *names: object) -> np.random.Generator:
         """Return the random generator of one sampled quantity of the surface."""
-        return generator(self.seed, self.surface_name, *names)
+        return generator(self.seed, self.surface, *names)
 
     @cached_property
     def spectrum(self) -> Spectrum:
@@ -131,21 +131,21 @@ class Substitute:
 
 
 def read_substitute(
-    surface_name: str, paths: Sequence[str], grid: Mapping[str, Any], seed: int
+    surface: str, paths: Sequence[str], grid: Mapping[str, Any], seed: int
 ) -> Substitute:
     """Read a substitute from the paths of its spectrum, of Table 1 and of the paper's constants."""
     spectrum_path, table1_path, constants_path = paths
-    table1 = published.rows_of_surface(published.read_table1(table1_path), surface_name)
+    table1 = published.rows_of_surface(published.read_table1(table1_path), surface)
     constants = published.read_constants(constants_path)
     spectrum_data = read_dataset(spectrum_path)
-    return Substitute(surface_name, spectrum_data, table1, constants, ScanGrid(**grid), seed)
+    return Substitute(surface, spectrum_data, table1, constants, ScanGrid(**grid), seed)
 
 
 def required_targets(substitute: Substitute) -> Targets:
     """Return the targets of a substitute; raises ValueError if it has no published rms height."""
     if substitute.targets is None:
         raise ValueError(
-            f"{substitute.surface_name}: expected afm_rms_height in resources/paper/table1.csv, "
+            f"{substitute.surface}: expected afm_rms_height in resources/paper/table1.csv, "
             "found none"
         )
     return substitute.targets
@@ -294,7 +294,7 @@ def condition_batch(
         amplitudes, factors, mean_errors = _fit_batch(np.array(matrices), targets)
         if factors.min() <= 0:
             raise ValueError(
-                f"{substitute.surface_name}: expected rms heights above zero of {len(factors)} "
+                f"{substitute.surface}: expected rms heights above zero of {len(factors)} "
                 f"scans with the mean {targets.means['rms_height']:.3g} nm and the standard "
                 f"deviation {targets.rms_height_std:.3g} nm, found one of zero or below: use fewer "
                 "scans of this surface, whose rms heights differ less"

@@ -150,10 +150,10 @@ BAND_STREAM, SET_STREAM = "master", "variant"
 
 
 def master_generator(
-    seed: int, surface_name: str, realization: int, side: str, stream: str
+    seed: int, surface: str, realization: int, side: str, stream: str
 ) -> np.random.Generator:
     """Return the random generator of a master; `stream` is BAND_STREAM or SET_STREAM."""
-    return generator(seed, surface_name, realization, f"{SEED_WORDS[side]}-scale {stream}")
+    return generator(seed, surface, realization, f"{SEED_WORDS[side]}-scale {stream}")
 
 
 def synthesize_master(

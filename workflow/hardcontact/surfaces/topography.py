@@ -51,17 +51,17 @@ def topography_dataset(
     `condition_batch` or `make_featured_scans`, `examples` from `level_and_mirror`.
     """
     scan_table = stack(scans, ["surface", "scan"])
-    surface_names = scan_table["surface"].values.tolist()
+    surfaces = scan_table["surface"].values.tolist()
     table = xr.merge(
         [
             scan_table,
             scan_averages(scan_table[list(METRICS)], confidence),
-            _spectra([spectra[name] for name in surface_names], scan_table["wavevector"].values),
-            _maps([examples[name] for name in surface_names]),
+            _spectra([spectra[name] for name in surfaces], scan_table["wavevector"].values),
+            _maps([examples[name] for name in surfaces]),
         ],
         combine_attrs="override",
     )
-    calibrations = [conditionings.get(name, spectra[name]) for name in surface_names]
+    calibrations = [conditionings.get(name, spectra[name]) for name in surfaces]
     met_rows = [calibration.attrs["table1_rows_met"] for calibration in calibrations]
     return table.assign(table1_rows_met=("surface", met_rows)).assign_attrs(confidence=confidence)
 
