@@ -25,10 +25,10 @@ with run_job(snakemake) as job:
     }
     forces = {}
     for number in progress(numbers, len(numbers), "surfaces"):
-        surface = whole_surface(
+        height_map = whole_surface(
             substitute, params["has_features"], job.input.description, number, **params["grid"]
         )
-        band_forces = band_force_dataset(surface, bands, compute_forces)
-        forces[(number,)] = band_forces.assign_attrs(period=surface.size)
+        band_forces = band_force_dataset(height_map, bands, compute_forces)
+        forces[(number,)] = band_forces.assign_attrs(period=height_map.size)
     title = f"pull-off forces of {params['surface']} with a part of the roughness"
     job.write(stack(forces, ["map"]), title)

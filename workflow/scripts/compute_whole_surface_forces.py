@@ -17,9 +17,9 @@ with run_job(snakemake) as job:
     )
     forces = {}
     for number in progress(numbers, len(numbers), "surfaces"):
-        surface = whole_surface(
+        height_map = whole_surface(
             substitute, params["has_features"], job.input.description, number, **params["grid"]
         )
-        forces[(number,)] = whole_surface_forces(surface, contact, params["ranges"])
+        forces[(number,)] = whole_surface_forces(height_map, contact, params["ranges"])
     title = f"pull-off forces on whole surfaces of {params['surface']}"
     job.write(stack(forces, ["map"]), title)

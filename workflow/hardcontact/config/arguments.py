@@ -141,27 +141,27 @@ def check_quantities(**numbers: Any) -> None:
             warnings.warn(f"{name} {written[name]}: {question}", stacklevel=3)
 
 
-def check_contact(surface: HeightMap, contact: Contact, ranges: Sequence[float]) -> None:
+def check_contact(height_map: HeightMap, contact: Contact, ranges: Sequence[float]) -> None:
     """Refuse pixels, a window, contacts per row, a load or ranges beyond the limits of a study."""
     low, high = PIXEL_SIZES
-    if not low <= surface.pixel_size <= high:
+    if not low <= height_map.pixel_size <= high:
         raise ValueError(
             f"scan: expected a pixel_size of {low:g} to {high:g} nm, found "
-            f"{surface.pixel_size:g} nm: is the unit right?"
+            f"{height_map.pixel_size:g} nm: is the unit right?"
         )
     count = contact.contacts_per_row
     check_positive(window=contact.window, contacts_per_row=count)
     if count != int(count):
         raise ValueError(f"contacts_per_row: expected a whole number, found {count:g}")
     # Limits are stated for a scan, which is half as large as its periodic map.
-    relief = float(np.ptp(surface.heights))
-    extent = Extent(surface.pixels // 2, surface.pixel_size, surface.size / 2, relief)
+    relief = float(np.ptp(height_map.heights))
+    extent = Extent(height_map.pixels // 2, height_map.pixel_size, height_map.size / 2, relief)
     contact = replace(contact, rho=min(ranges))
     named_contact = NamedContact(contact, "preload", "contacts_per_row", "rho")
     raise_faults(islice(contact_faults(named_contact, "the map", extent), 1))
 
 
-def check_cutoffs(cutoffs: Mapping[str, Sequence[float]], surface: HeightMap) -> None:
+def check_cutoffs(cutoffs: Mapping[str, Sequence[float]], height_map: HeightMap) -> None:
     """Refuse cutoffs that are no sequences by side, or at which a periodic surface has no waves."""
     if not isinstance(cutoffs, Mapping) or not cutoffs or not set(cutoffs) <= set(SIDES):
         raise ValueError(
@@ -169,7 +169,7 @@ def check_cutoffs(cutoffs: Mapping[str, Sequence[float]], surface: HeightMap) ->
         )
     for side_cutoffs in cutoffs.values():
         check_positive_numbers("cutoffs", side_cutoffs)
-    shortest, longest = 2 * surface.pixel_size * (1 + 1e-9), surface.size
+    shortest, longest = 2 * height_map.pixel_size * (1 + 1e-9), height_map.size
     raise_faults(
         f"cutoffs: expected wavelengths of more than two pixels ({shortest:.4g} nm) and at most "
         f"the {longest:.6g} nm of the mirrored scan on the {side} side, found {[*side_cutoffs]}"
@@ -178,15 +178,15 @@ def check_cutoffs(cutoffs: Mapping[str, Sequence[float]], surface: HeightMap) ->
     )
 
 
-def make_periodic(surface: HeightMap, name: str = "scan") -> HeightMap:
+def make_periodic(height_map: HeightMap, name: str = "scan") -> HeightMap:
     """Return a map as it is if it is periodic, mirrored otherwise; refuse an invalid map."""
-    if not isinstance(surface, HeightMap):
+    if not isinstance(height_map, HeightMap):
         raise ValueError(
             f"{name}: expected a scan of hc.read_scan(FILE), or hc.HeightMap(heights, pixel_size) "
-            f"in nm, found {type(surface).__name__}"
+            f"in nm, found {type(height_map).__name__}"
         )
-    check_heights(surface.heights, name)
-    return surface if surface.periodic else mirror_scan(surface)
+    check_heights(height_map.heights, name)
+    return height_map if height_map.periodic else mirror_scan(height_map)
 
 
 def check_heights(heights: np.ndarray, name: str) -> None:

@@ -75,16 +75,16 @@ def _maxima_of_squares(maxima: NDArray[np.floating], count: int) -> NDArray[np.f
     return np.asarray(np.maximum.reduce([np.roll(rows, -i, axis=1) for i in range(count)]))
 
 
-def cut_into_cells(surface: HeightMap) -> Cells:
+def cut_into_cells(height_map: HeightMap) -> Cells:
     """Cut a square periodic map into cells."""
-    heights = surface.heights
-    count = -(-surface.pixels // CELL_PIXELS)
-    extra = count * CELL_PIXELS - surface.pixels
+    heights = height_map.heights
+    count = -(-height_map.pixels // CELL_PIXELS)
+    extra = count * CELL_PIXELS - height_map.pixels
     if extra:
         heights = np.pad(heights, ((0, extra), (0, extra)), constant_values=-np.inf)
     heights = heights.reshape(count, CELL_PIXELS, count, CELL_PIXELS)
     maxima = heights.max(axis=1).max(axis=2)
-    return Cells(surface.pixels, heights, maxima, _maxima_of_squares(maxima, GROUP_CELLS))
+    return Cells(height_map.pixels, heights, maxima, _maxima_of_squares(maxima, GROUP_CELLS))
 
 
 class ContactPixels(NamedTuple):

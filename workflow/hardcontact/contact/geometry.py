@@ -129,18 +129,18 @@ def read_bodies(substrate_path: str, sphere_path: str | None, contact: Contact) 
     return join_bodies(load_height_map(substrate_path), sphere, contact)
 
 
-def _convert_precision(surface: HeightMap) -> HeightMap:
+def _convert_precision(height_map: HeightMap) -> HeightMap:
     """Return a map with heights in float64, unless they are in float32."""
-    precision = np.float32 if surface.heights.dtype == np.float32 else np.float64
-    return replace(surface, heights=surface.heights.astype(precision, copy=False))
+    precision = np.float32 if height_map.heights.dtype == np.float32 else np.float64
+    return replace(height_map, heights=height_map.heights.astype(precision, copy=False))
 
 
-def _refine(surface: HeightMap, pixel_size: float) -> HeightMap:
+def _refine(height_map: HeightMap, pixel_size: float) -> HeightMap:
     """Return a periodic map on pixels of a size (nm); its period is rounded to whole pixels."""
-    pixels = max(round(surface.size / pixel_size), surface.pixels)
-    if pixels != surface.pixels:
-        surface = interpolate(surface, pixels)
-    return replace(surface, pixel_size=pixel_size)
+    pixels = max(round(height_map.size / pixel_size), height_map.pixels)
+    if pixels != height_map.pixels:
+        height_map = interpolate(height_map, pixels)
+    return replace(height_map, pixel_size=pixel_size)
 
 
 def reference_gaps(bodies: Bodies, apex: NDArray[np.int_], offsets: NDArray[np.int_]) -> Floats:

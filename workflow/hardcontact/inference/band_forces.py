@@ -19,25 +19,24 @@ from hardcontact.surfaces.synthesis import SIDES
 BAND_PARTS = ("only the band", "no shorter waves", "no longer waves")
 
 
-def band_parts(surface: HeightMap, band: tuple[float, float]) -> list[HeightMap]:
+def band_parts(height_map: HeightMap, band: tuple[float, float]) -> list[HeightMap]:
     """Return a periodic surface for each of BAND_PARTS; a band (nm) excludes its long edge."""
-    series = filtered_series(surface, "short", band, surface.pixels)
+    series = filtered_series(height_map, "short", band, height_map.pixels)
     band_and_longer, longer = (waves.heights for waves in series)
-    part_heights = (band_and_longer - longer, band_and_longer, surface.heights - longer)
-    return [replace(surface, heights=heights) for heights in part_heights]
+    part_heights = (band_and_longer - longer, band_and_longer, height_map.heights - longer)
+    return [replace(height_map, heights=heights) for heights in part_heights]
 
 
 def band_force_dataset(
-    surface: HeightMap, bands: Mapping[str, tuple[float, float]], compute_forces: ForcesOnSurface
+    height_map: HeightMap, bands: Mapping[str, tuple[float, float]], compute_forces: ForcesOnSurface
 ) -> xr.Dataset:
     """Return ``force`` with all roughness of a surface, ``band_force`` with parts of each band."""
     part_forces = [
-        [compute_forces(surface_part) for surface_part in band_parts(surface, band)]
-        for band in bands.values()
+        [compute_forces(part) for part in band_parts(height_map, band)] for band in bands.values()
     ]
     return xr.Dataset(
         {
-            "force": (CONTACT_AXES, compute_forces(surface), FORCE_ATTRS),
+            "force": (CONTACT_AXES, compute_forces(height_map), FORCE_ATTRS),
             "band_force": (("band", "band_part", *CONTACT_AXES), part_forces, FORCE_ATTRS),
             "band_edge": (("band", "side"), np.array(list(bands.values())), NM),
         },

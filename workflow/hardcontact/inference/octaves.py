@@ -42,25 +42,25 @@ def octave_limits(shortest: float, longest: float) -> Floats:
     return OCTAVE_LIMITS[(OCTAVE_LIMITS > shortest) & (OCTAVE_LIMITS <= longest)]
 
 
-def split_octaves(surface: HeightMap, limits: Sequence[float] | Floats) -> Iterator[HeightMap]:
+def split_octaves(height_map: HeightMap, limits: Sequence[float] | Floats) -> Iterator[HeightMap]:
     """Yield the waves of a periodic surface from each limit (nm, ascending) to the next."""
-    series = filtered_series(surface, "short", list(limits), surface.pixels)
+    series = filtered_series(height_map, "short", list(limits), height_map.pixels)
     for waves, longer in pairwise(series):
-        yield replace(surface, heights=waves.heights - longer.heights)
+        yield replace(height_map, heights=waves.heights - longer.heights)
 
 
 def octave_force_dataset(
-    surface: HeightMap, limits: Sequence[float] | Floats, compute_forces: ForcesOnSurface
+    height_map: HeightMap, limits: Sequence[float] | Floats, compute_forces: ForcesOnSurface
 ) -> xr.Dataset:
     """Return ``octave_force`` with one octave multiplied by each of AMPLITUDE_FACTORS."""
-    changed_surface = replace(surface, heights=np.empty_like(surface.heights))  # reused
+    changed_map = replace(height_map, heights=np.empty_like(height_map.heights))  # reused
 
     def octave_forces(octave: HeightMap, factor: float) -> Floats:
-        np.multiply(octave.heights, factor - 1, out=changed_surface.heights)
-        np.add(changed_surface.heights, surface.heights, out=changed_surface.heights)
-        return compute_forces(changed_surface)
+        np.multiply(octave.heights, factor - 1, out=changed_map.heights)
+        np.add(changed_map.heights, height_map.heights, out=changed_map.heights)
+        return compute_forces(changed_map)
 
-    octaves = split_octaves(surface, limits)
+    octaves = split_octaves(height_map, limits)
     forces = [[octave_forces(octave, factor) for factor in AMPLITUDE_FACTORS] for octave in octaves]
     return xr.Dataset(
         {"octave_force": (("octave", "factor", *CONTACT_AXES), np.array(forces), FORCE_ATTRS)},
@@ -68,18 +68,20 @@ def octave_force_dataset(
             "octave": ("octave", np.asarray(limits[:-1]), NM),
             "factor": ("factor", list(AMPLITUDE_FACTORS), DIMENSIONLESS),
         },
-        {"period": surface.size},
+        {"period": height_map.size},
     )
 
 
-def whole_surface_forces(surface: HeightMap, contact: Contact, ranges: list[float]) -> xr.Dataset:
+def whole_surface_forces(
+    whole_surface: HeightMap, contact: Contact, ranges: list[float]
+) -> xr.Dataset:
     """Return `octave_force_dataset`, and the mean ``pull_off_force`` (contact_model, rho) in N."""
     # The octave that holds the longest wave, the size of the surface, ends within twice the size.
-    limits = octave_limits(2 * surface.pixel_size, 2 * surface.size)
-    pull_off = pull_off_dataset(join_bodies(surface, None, contact), contact, ranges)
+    limits = octave_limits(2 * whole_surface.pixel_size, 2 * whole_surface.size)
+    pull_off = pull_off_dataset(join_bodies(whole_surface, None, contact), contact, ranges)
     mean_force = pull_off["pull_off_force"].mean(CONTACT_AXES, keep_attrs=True)
-    forces = octave_force_dataset(surface, limits, make_force_function(contact))
-    return forces.assign(pull_off_force=mean_force).assign_attrs(map_size=surface.size)
+    forces = octave_force_dataset(whole_surface, limits, make_force_function(contact))
+    return forces.assign(pull_off_force=mean_force).assign_attrs(map_size=whole_surface.size)
 
 
 def strongest_octaves(sensitivity: xr.Dataset) -> Iterator[Number]:

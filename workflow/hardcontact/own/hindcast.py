@@ -133,12 +133,12 @@ def _artificial_octave(
 
     rng = generator(body.seed, *body.random_stream, "hindcast", seed_word, index)
     scan_pixels = round(body.size / mirrored.pixel_size)
-    surface = random_surface(rng, 2 * scan_pixels, mirrored.pixel_size, octave_spectrum)
+    random_map = random_surface(rng, 2 * scan_pixels, mirrored.pixel_size, octave_spectrum)
     # Like a scan, a quarter of the periodic surface is not periodic. If the scan of a sphere is
     # smaller than that of the substrate, its mirror images continue it.
     positions = np.arange(mirrored.pixels // 2) % (2 * scan_pixels)
     reflected = np.minimum(positions, 2 * scan_pixels - 1 - positions)
-    random_scan = replace(surface, heights=surface.heights[np.ix_(reflected, reflected)])
+    random_scan = replace(random_map, heights=random_map.heights[np.ix_(reflected, reflected)])
     return np.asarray(mirror_scan(random_scan).heights)
 
 

@@ -17,15 +17,15 @@ from hardcontact.surfaces.height_map import HeightMap
 WIDE_PIXEL_WIDTH = 4
 
 
-def widen_pixels(surface: HeightMap) -> HeightMap:
+def widen_pixels(height_map: HeightMap) -> HeightMap:
     """Return a map whose square blocks of WIDE_PIXEL_WIDTH pixels a side have their mean height."""
     # The last block of a row is narrower if the pixels are no multiple of the width.
-    starts = np.arange(0, surface.pixels, WIDE_PIXEL_WIDTH)
-    counts = np.diff(starts, append=surface.pixels)
-    sums = np.add.reduceat(np.add.reduceat(surface.heights.astype(float), starts, 0), starts, 1)
+    starts = np.arange(0, height_map.pixels, WIDE_PIXEL_WIDTH)
+    counts = np.diff(starts, append=height_map.pixels)
+    sums = np.add.reduceat(np.add.reduceat(height_map.heights.astype(float), starts, 0), starts, 1)
     means = sums / np.outer(counts, counts)
     heights = means.repeat(counts, 0).repeat(counts, 1)
-    return replace(surface, heights=heights.astype(surface.heights.dtype))
+    return replace(height_map, heights=heights.astype(height_map.heights.dtype))
 
 
 def forces_by_pixel_width(

@@ -170,17 +170,19 @@ def sample_permitted_features(
 
 
 def add_features(
-    rng: np.random.Generator, surface: HeightMap, features: Features, count: int
+    rng: np.random.Generator, height_map: HeightMap, features: Features, count: int
 ) -> HeightMap:
     """Add features at random positions; they reach over the borders of a periodic surface."""
-    position = (np.arange(surface.pixels) + 0.5) * surface.pixel_size
-    centres = rng.uniform(0, surface.size, (2, count, 1))
+    position = (np.arange(height_map.pixels) + 0.5) * height_map.pixel_size
+    centres = rng.uniform(0, height_map.size, (2, count, 1))
     distance = position - centres
-    if surface.periodic:
-        distance = (distance + surface.size / 2) % surface.size - surface.size / 2
+    if height_map.periodic:
+        distance = (distance + height_map.size / 2) % height_map.size - height_map.size / 2
     shape_y, shape_x = np.exp(-(distance**2) / (2 * features.width**2))
     feature_heights = (features.height * shape_y.T) @ shape_x
-    return replace(surface, heights=surface.heights + feature_heights.astype(surface.heights.dtype))
+    return replace(
+        height_map, heights=height_map.heights + feature_heights.astype(height_map.heights.dtype)
+    )
 
 
 class FeaturedSurface(NamedTuple):

@@ -19,36 +19,36 @@ Transform = NDArray[np.complexfloating]
 BLOCK_ROWS = 64
 
 
-def lowpass(surface: HeightMap, cutoff: float) -> HeightMap:
+def lowpass(height_map: HeightMap, cutoff: float) -> HeightMap:
     """Return a surface without waves below a cutoff (nm), on the coarsest grid for the others."""
-    order_limit = _order_limit(surface, cutoff)
+    order_limit = _order_limit(height_map, cutoff)
     highest_order = int(order_limit)
     pixels = 2 * highest_order + 2
-    transform = _transform_lowest_orders(surface, highest_order)
+    transform = _transform_lowest_orders(height_map, highest_order)
     heights = scipy.fft.irfft2(_orders_on_grid(transform, order_limit, pixels), s=(pixels, pixels))
-    heights *= (pixels / surface.pixels) ** 2
-    return replace(surface, heights=heights, pixel_size=surface.size / pixels)
+    heights *= (pixels / height_map.pixels) ** 2
+    return replace(height_map, heights=heights, pixel_size=height_map.size / pixels)
 
 
-def _order_limit(surface: HeightMap, cutoff: float) -> float:
+def _order_limit(height_map: HeightMap, cutoff: float) -> float:
     """Return the highest order of waves at least as long as a cutoff (nm), not rounded."""
     # The margin keeps a wave at the cutoff in spite of rounding.
-    order_limit = surface.size / cutoff * (1 + 1e-12)
-    if 2 * int(order_limit) + 2 > surface.pixels:
+    order_limit = height_map.size / cutoff * (1 + 1e-12)
+    if 2 * int(order_limit) + 2 > height_map.pixels:
         raise ValueError(
-            f"cutoff: expected more than two pixels ({2 * surface.pixel_size:.4g} nm), found "
+            f"cutoff: expected more than two pixels ({2 * height_map.pixel_size:.4g} nm), found "
             f"{cutoff:.4g} nm"
         )
     return order_limit
 
 
-def _transform_lowest_orders(surface: HeightMap, highest_order: int) -> Transform:
+def _transform_lowest_orders(height_map: HeightMap, highest_order: int) -> Transform:
     """Return the transform up to an order: (order y, order x), along y in `_signed_orders`."""
-    pixels = surface.pixels
+    pixels = height_map.pixels
     transform = np.empty((pixels, highest_order + 1), complex)
     for start in range(0, pixels, BLOCK_ROWS):
         rows = slice(start, start + BLOCK_ROWS)
-        block = surface.heights[rows].astype(float)
+        block = height_map.heights[rows].astype(float)
         transform[rows] = scipy.fft.rfft(block, axis=1)[:, : highest_order + 1]
     transform = scipy.fft.fft(transform, axis=0, overwrite_x=True)
     return transform[_signed_orders(highest_order)]
@@ -70,11 +70,11 @@ def _orders_on_grid(transform: Transform, order_limit: float, pixels: int) -> Tr
     return padded
 
 
-def interpolate(surface: HeightMap, pixels: int) -> HeightMap:
+def interpolate(height_map: HeightMap, pixels: int) -> HeightMap:
     """Return a surface on at least as many pixels by trigonometric interpolation, in float32."""
-    coarse_pixels = surface.pixels
+    coarse_pixels = height_map.pixels
     _refuse_coarser(coarse_pixels, pixels)
-    transform = scipy.fft.rfft2(surface.heights.astype(float))
+    transform = scipy.fft.rfft2(height_map.heights.astype(float))
     padded = np.zeros((pixels, transform.shape[1]), complex)
     highest_order = coarse_pixels // 2
     padded[: coarse_pixels - highest_order] = transform[: coarse_pixels - highest_order]
@@ -87,7 +87,7 @@ def interpolate(surface: HeightMap, pixels: int) -> HeightMap:
     fine_heights = np.empty((pixels, pixels), np.float32)
     for rows, heights in _inverse_blocks(padded):
         fine_heights[rows] = heights * (pixels / coarse_pixels) ** 2
-    return replace(surface, heights=fine_heights, pixel_size=surface.size / pixels)
+    return replace(height_map, heights=fine_heights, pixel_size=height_map.size / pixels)
 
 
 def _refuse_coarser(min_pixels: int, pixels: int) -> None:
@@ -108,7 +108,7 @@ def _inverse_blocks(padded: Transform) -> Iterator[tuple[slice, NDArray[np.float
 
 
 def filtered_series(
-    surface: HeightMap,
+    height_map: HeightMap,
     side: str,
     cutoffs: Sequence[float | None],
     pixels: int,
@@ -119,16 +119,18 @@ def filtered_series(
     The side ``"short"`` removes shorter wavelengths, ``"long"`` longer ones. Each filtered surface
     overwrites `out` (pixels, pixels), if given. Raises ValueError if the pixels are too few.
     """
-    order_limits = [None if cutoff is None else _order_limit(surface, cutoff) for cutoff in cutoffs]
+    order_limits = [
+        None if cutoff is None else _order_limit(height_map, cutoff) for cutoff in cutoffs
+    ]
     highest_order = max((int(limit) for limit in order_limits if limit is not None), default=0)
-    unfiltered = surface
+    unfiltered = height_map
     if side == "short" and None not in cutoffs:  # Nothing needs the unfiltered surface.
         _refuse_coarser(2 * highest_order + 2, pixels)
-    elif pixels != surface.pixels:
-        unfiltered = interpolate(surface, pixels)
-    unfiltered = replace(unfiltered, pixel_size=surface.size / pixels)
-    scale = (pixels / surface.pixels) ** 2
-    transform = (_transform_lowest_orders(surface, highest_order) * scale).astype(np.complex64)
+    elif pixels != height_map.pixels:
+        unfiltered = interpolate(height_map, pixels)
+    unfiltered = replace(unfiltered, pixel_size=height_map.size / pixels)
+    scale = (pixels / height_map.pixels) ** 2
+    transform = (_transform_lowest_orders(height_map, highest_order) * scale).astype(np.complex64)
     for limit in order_limits:
         if limit is None:
             yield unfiltered

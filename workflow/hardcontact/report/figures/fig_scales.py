@@ -65,16 +65,16 @@ def filtered_heights(scan: xr.Dataset, band: Sequence[float]) -> dict[str, np.nd
     mirrored = mirror_scan(HeightMap(heights, scan["scan_size"].item() / len(heights)))
     # At least two pixels lie within the short edge.
     pixels = max(mirrored.pixels, 2 * int(mirrored.size / band[0]) + 4)
-    surface = interpolate(mirrored, pixels)
-    (long_waves,) = filtered_series(surface, "short", [band[0]], pixels)
-    (short_waves,) = filtered_series(surface, "long", [band[1]], pixels)
-    surfaces = {
-        "all wavelengths": surface,
+    fine_map = interpolate(mirrored, pixels)
+    (long_waves,) = filtered_series(fine_map, "short", [band[0]], pixels)
+    (short_waves,) = filtered_series(fine_map, "long", [band[1]], pixels)
+    maps = {
+        "all wavelengths": fine_map,
         f"none below {format_length(band[0])}": long_waves,
         f"none above {format_length(band[1])}": short_waves,
     }
     unmirrored = slice(pixels // 2)
-    return {title: periodic.heights[unmirrored, unmirrored] for title, periodic in surfaces.items()}
+    return {title: periodic.heights[unmirrored, unmirrored] for title, periodic in maps.items()}
 
 
 def _draw_spectra(
