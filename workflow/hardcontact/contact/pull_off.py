@@ -32,8 +32,8 @@ from hardcontact.contact.patches import count_touched_patches
 from hardcontact.surfaces.filters import interpolate
 from hardcontact.surfaces.height_map import HeightMap
 
-#: A function that returns the forces on a surface, in an array of any shape.
-ForcesOnSurface = Callable[[HeightMap], Floats]
+#: A function that returns the forces on a height map, in an array of any shape.
+ForceFunction = Callable[[HeightMap], Floats]
 #: Work of adhesion (J/m²) of all forces of this module.
 WORK_OF_ADHESION = 1.0
 #: Attributes of forces at this work of adhesion.
@@ -79,7 +79,7 @@ def count_contact_pixels(bodies: Bodies, contacts_by_loading: Sequence[Contact])
     return [contact.pixel_count(bodies.geometry.pixel_size) for contact in contacts_by_loading]
 
 
-def make_force_function(contact: Contact, sphere: HeightMap | None = None) -> ForcesOnSurface:
+def make_force_function(contact: Contact, sphere: HeightMap | None = None) -> ForceFunction:
     """Return a function of a surface: its forces (contact_y, contact_x) in N at 1 J/m²."""
 
     def compute_forces(substrate: HeightMap) -> Floats:

@@ -9,7 +9,7 @@ import xarray as xr
 from hardcontact.base.statistics import as_variables
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import CONTACT_AXES
-from hardcontact.contact.pull_off import FORCE_ATTRS, ForcesOnSurface
+from hardcontact.contact.pull_off import FORCE_ATTRS, ForceFunction
 from hardcontact.inference.scan_parts import ScanParts, log_force_ratio
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap
@@ -28,7 +28,7 @@ def band_parts(height_map: HeightMap, band: tuple[float, float]) -> list[HeightM
 
 
 def band_force_dataset(
-    height_map: HeightMap, bands: Mapping[str, tuple[float, float]], compute_forces: ForcesOnSurface
+    height_map: HeightMap, bands: Mapping[str, tuple[float, float]], compute_forces: ForceFunction
 ) -> xr.Dataset:
     """Return ``force`` with all roughness of a surface, ``band_force`` with parts of each band."""
     part_forces = [

@@ -19,7 +19,7 @@ from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import (
     FORCE_ATTRS,
-    ForcesOnSurface,
+    ForceFunction,
     make_force_function,
     pull_off_dataset,
 )
@@ -50,7 +50,7 @@ def split_octaves(height_map: HeightMap, limits: Sequence[float] | Floats) -> It
 
 
 def octave_force_dataset(
-    height_map: HeightMap, limits: Sequence[float] | Floats, compute_forces: ForcesOnSurface
+    height_map: HeightMap, limits: Sequence[float] | Floats, compute_forces: ForceFunction
 ) -> xr.Dataset:
     """Return ``octave_force`` with one octave multiplied by each of AMPLITUDE_FACTORS."""
     changed_map = replace(height_map, heights=np.empty_like(height_map.heights))  # reused

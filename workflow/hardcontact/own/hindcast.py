@@ -19,7 +19,7 @@ from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import as_variables, student_quantile
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES
-from hardcontact.contact.pull_off import FORCE_ATTRS, ForcesOnSurface
+from hardcontact.contact.pull_off import FORCE_ATTRS, ForceFunction
 from hardcontact.inference.edges import logarithmic_limits
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan
@@ -67,7 +67,7 @@ def hindcast_forces(
     mirrored: HeightMap,
     octaves: Mapping[str, Octave | None],
     bodies: Sequence[RandomBody],
-    compute_forces: ForcesOnSurface,
+    compute_forces: ForceFunction,
     contacts_per_row: int,
 ) -> xr.Dataset:
     """Return forces by side, in N at 1 J/m², on a mirrored scan without waves beyond an octave.
