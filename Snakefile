@@ -15,7 +15,7 @@ configfile: "config/config.yaml"
 # These two files define the names that rules share; each begins with a list of them.
 include: "workflow/rules/common.smk"
 include: "workflow/rules/surfaces.smk"
-# The path of a height map: scans, contacts on them, forces by cutoff wavelength (masters) and by octave.
+# The path of a height map: scans, contacts on them, forces by cutoff (masters) and by octave.
 # For the user's surfaces, spectra are sampled, and the roughness of a scanned sphere is added.
 include: "workflow/rules/scans.smk"
 

@@ -13,7 +13,7 @@ from hardcontact.surfaces.substitutes import read_substitute
 
 with run_job(snakemake) as job:
     params = job.parameters
-    numbers = params["surface_numbers"]
+    surface_numbers = params["surface_numbers"]
     compute_forces = make_force_function(Contact(**params["contact"]))
     substitute = read_substitute(
         params["surface"], job.input.substitute, params["scan_grid"], params["seed"]
@@ -24,11 +24,15 @@ with run_job(snakemake) as job:
         "computed": averaged_band(read_dataset(job.input.edges)),
     }
     forces = {}
-    for number in progress(numbers, len(numbers), "surfaces"):
+    for surface_number in progress(surface_numbers, len(surface_numbers), "surfaces"):
         height_map = whole_surface(
-            substitute, params["has_features"], job.input.description, number, **params["grid"]
+            substitute,
+            params["has_features"],
+            job.input.description,
+            surface_number,
+            **params["grid"],
         )
         band_forces = band_force_dataset(height_map, bands, compute_forces)
-        forces[(number,)] = band_forces.assign_attrs(period=height_map.size)
+        forces[(surface_number,)] = band_forces.assign_attrs(period=height_map.size)
     title = f"pull-off forces of {params['surface']} with a part of the roughness"
     job.write(stack(forces, ["map"]), title)

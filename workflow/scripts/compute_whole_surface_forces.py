@@ -10,16 +10,20 @@ from hardcontact.surfaces.substitutes import read_substitute
 
 with run_job(snakemake) as job:
     params = job.parameters
-    numbers = params["surface_numbers"]
+    surface_numbers = params["surface_numbers"]
     contact = Contact(**params["contact"])
     substitute = read_substitute(
         params["surface"], job.input.substitute, params["scan_grid"], params["seed"]
     )
     forces = {}
-    for number in progress(numbers, len(numbers), "surfaces"):
+    for surface_number in progress(surface_numbers, len(surface_numbers), "surfaces"):
         height_map = whole_surface(
-            substitute, params["has_features"], job.input.description, number, **params["grid"]
+            substitute,
+            params["has_features"],
+            job.input.description,
+            surface_number,
+            **params["grid"],
         )
-        forces[(number,)] = whole_surface_forces(height_map, contact, params["ranges"])
+        forces[(surface_number,)] = whole_surface_forces(height_map, contact, params["ranges"])
     title = f"pull-off forces on whole surfaces of {params['surface']}"
     job.write(stack(forces, ["map"]), title)

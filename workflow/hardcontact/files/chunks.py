@@ -139,20 +139,24 @@ class Chunks:
     ) -> dict[str, list[str]]:
         """Return the inputs of rule compute_filtered_forces: by name, a file for each master."""
         files = self._files
-        numbers = range(first, last + 1)
+        realizations = range(first, last + 1)
         if PURPOSES[purpose].masters_are_files:
             return {
                 f"{side}_masters": [
-                    files.path(files.patterns.masters, surface, realization=number, side=side)
-                    for number in numbers
+                    files.path(files.patterns.masters, surface, realization=realization, side=side)
+                    for realization in realizations
                 ]
                 for side in SIDES
             }
         # Masters that are no files: the job makes them from scans and spectra.
         if PURPOSES[purpose].samples_spectra:
-            spectra = [files.sampled_spectrum_path(surface, number) for number in numbers]
+            spectra = [
+                files.sampled_spectrum_path(surface, realization) for realization in realizations
+            ]
         else:
-            spectra = [files.spectrum_path(surface)] * len(numbers)
-        scan_numbers = [self._plan.master_scan_number(surface, number) for number in numbers]
+            spectra = [files.spectrum_path(surface)] * len(realizations)
+        scan_numbers = [
+            self._plan.master_scan_number(surface, realization) for realization in realizations
+        ]
         scans = [files.contact_map_path(surface, scan) for scan in scan_numbers]
         return {"scans": scans, "spectra": spectra}

@@ -42,7 +42,7 @@ CANDIDATE_STATISTICS = {
 
 def compute_candidates(
     feature_kind: str,
-    numbers: Sequence[int],
+    candidate_numbers: Sequence[int],
     featured: FeaturedSurface,
     scan_count: int,
     contact: Contact,
@@ -50,7 +50,7 @@ def compute_candidates(
 ) -> xr.Dataset:
     """Return features, roughness and `smooth_sphere_forces` of candidates of a kind of features."""
     candidates = []
-    for number in progress(numbers, len(numbers), "surfaces with features"):
+    for number in progress(candidate_numbers, len(candidate_numbers), "surfaces with features"):
         features, scans = sample_featured_scans(
             featured, feature_kind, range(1, scan_count + 1), number
         )
@@ -60,7 +60,7 @@ def compute_candidates(
             roughness = metrics_dataset(scan, TABLE1_METRICS.values())
             scan_results[(index,)] = roughness.assign(pull_off_force=forces)
         candidates.append(stack(scan_results, ["scan"]).assign(featured.to_variables(features)))
-    return xr.concat(candidates, pd.Index(list(numbers), name="candidate"))
+    return xr.concat(candidates, pd.Index(list(candidate_numbers), name="candidate"))
 
 
 def candidates_by_surface(

@@ -223,7 +223,7 @@ def whole_surface(
     substitute: Substitute,
     has_features: bool,
     description: str,
-    number: int,
+    surface_number: int,
     pixels: int,
     pixel_size: float,
 ) -> HeightMap:
@@ -231,20 +231,20 @@ def whole_surface(
 
     Surfaces of odd numbers have bumps, of even numbers pits. `description` is a path.
     """
-    rng = substitute.generator(number, "whole surface")
+    rng = substitute.generator(surface_number, "whole surface")
     if not has_features:
-        spectrum_rng = substitute.generator(number, "permitted spectrum")
+        spectrum_rng = substitute.generator(surface_number, "permitted spectrum")
         spectrum = sample_permitted_spectrum(
             spectrum_rng, description, substitute.table1, substitute.constants
         )
         return random_surface(rng, pixels, pixel_size, spectrum)
     featured = featured_surface(substitute)
-    feature_kind = alternating_feature_kind(number - 1)
+    feature_kind = alternating_feature_kind(surface_number - 1)
     scan_count = featured.statistics.scan_count
-    features = featured.sample_features(feature_kind, scan_count, number, "whole surface")
+    features = featured.sample_features(feature_kind, scan_count, surface_number, "whole surface")
     base = random_surface(rng, pixels, pixel_size, substitute.spectrum)
     base = replace(base, heights=np.float32(features.base_factor) * base.heights)
-    feature_rng = substitute.generator(number, "whole surface", "features")
+    feature_rng = substitute.generator(surface_number, "whole surface", "features")
     count = feature_rng.poisson(features.number_density * (base.size / 1e3) ** 2)
     return add_features(feature_rng, base, features, count)
 
