@@ -102,7 +102,8 @@ def read_inputs(arguments: Namespace) -> Inputs:
     raise_faults(faults)
     if arguments.sphere is not None:
         spectrum = add_sphere_roughness(spectrum, sphere_spectrum, PAPER_STUDY.seed)
-    cautions += single_pixel_cautions(contact.area, [scan.pixel_size for scan in spectrum.scans])
+    maps = [scan for scan in spectrum.scans if scan.kind == "map"]  # Line scans touch nothing.
+    cautions += single_pixel_cautions(contact.area, [scan.pixel_size for scan in maps])
     notes = [*(f"{TAKE_CARE}{line}" for line in cautions), *spectrum.notes]
     return Inputs(quantities, contact, spectrum, notes)
 

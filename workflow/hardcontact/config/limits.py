@@ -243,5 +243,6 @@ def _load_faults(
         yield (
             f"{name}: expected at most {format_quantity(max_load, 'N')} of load at a hardness of "
             f"{format_exact(contact.hardness, 'Pa')}, {reason}, found "
-            f"{format_quantity(contact.preload, 'N')}"
+            f"{format_quantity(contact.preload, 'N')}: scans that are wider or have larger pixels "
+            "permit more"
         )

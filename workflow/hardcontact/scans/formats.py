@@ -190,7 +190,7 @@ def _refuse_without_size(channel: Any, metadata: dict[str, Any]) -> NoReturn:
     raise RefusedFile(
         f"expected a file that states the physical size{' and unit' if lacks_unit else ''} of "
         "the scan, found none: "
-        f"--size 5000nm (scan.map_size: 5000nm) gives the longer side{remedy}"
+        f"for example --size 5000nm (scan.map_size: 5000nm) gives the longer side{remedy}"
     )
 
 
