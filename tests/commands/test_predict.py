@@ -8,8 +8,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from known_spectra import PAPER_CONTACT, self_affine_spectrum
+from measurements import random_line
 from prediction_command import predict_json, predict_text
 from refusals import assert_says, refusal
+from scan_files import write_coordinates
+from SurfaceTopography import UniformLineScan
 
 from hardcontact.commands.command_line import join_units
 from hardcontact.commands.options import parse_quantities, unit_questions
@@ -201,3 +204,11 @@ def test_a_compliant_sphere_has_a_large_tabor_parameter(write_table):
     assert soft["tabor_parameter"]["value"] == pytest.approx(tabor_parameter, rel=1e-3)
     assert soft["tabor_parameter"]["status"] == "soft"
     assert hard["tabor_parameter"].get("status", "") != "soft"
+
+
+def test_the_spacing_of_a_line_scan_is_no_pixel_in_contact(tmp_path):
+    """The contact area of the paper, 400 nm², is less than the square of 100 nm."""
+    path = tmp_path / "line.txt"
+    scan = random_line(np.random.default_rng(5), 4096, 100.0)
+    write_coordinates(UniformLineScan(scan.heights, scan.size, unit="nm"), path)
+    assert "less than a pixel" not in predict_text(str(path))
