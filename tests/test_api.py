@@ -277,7 +277,7 @@ FAULTY = [
     (hc.read_scan, {"map_size": "5 um"}, ["map_size: expected a positive number"]),
     (hc.read_scan, {"undefined_pixels": "fill"}, ["refuse or harmonic, found 'fill'"]),
     (hc.read_scan, {"levelling": "sphere"}, ["expected plane, lines"]),
-    (hc.read_scan, {"path": "bare.txt"}, ["none: map_size=5000 gives", 'unit="nm"']),
+    (hc.read_scan, {"path": "bare.txt"}, ["for example map_size=5000 gives", 'unit="nm"']),
     (hc.read_scan, {"path": "line.txt"}, ['by unit="nm", or mm,nm for']),
     (hc.from_topography, {"topography": MAP_WITH_HOLES, "undefined_pixels": "fill"},
      ["undefined_pixels: expected refuse or harmonic, found 'fill'"]),
