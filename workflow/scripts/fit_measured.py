@@ -4,7 +4,7 @@ from hardcontact.base.dataset import read_dataset
 from hardcontact.base.statistics import Sampling
 from hardcontact.config.force_table import read_forces
 from hardcontact.inference.measured_fit import add_extrapolated_work, fit_measured
-from hardcontact.own.wide_pixels import surface_pixel_factors
+from hardcontact.own.wide_pixels import pixel_divisors
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
@@ -16,7 +16,7 @@ with run_job(snakemake) as job:
         adhesion,
         read_forces(job.input.forces, surfaces, adhesion.attrs["sphere_radius"]),
         topography["scan_size"].to_series().to_dict(),
-        surface_pixel_factors(force).to_series().to_dict(),
+        pixel_divisors(force).to_series().to_dict(),
         Sampling.from_parameters(job.parameters),
     )
     fitted = add_extrapolated_work(fitted, force)

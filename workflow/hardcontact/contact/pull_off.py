@@ -150,6 +150,8 @@ def pull_off_on_spheres(
 def finer_pixel_ratio(bodies: Bodies, contact: Contact, forces: xr.DataArray) -> float:
     """Return the mean plastic force on interpolated pixels of half the size, relative to `forces`.
 
+    Below 1, finer pixels lower the force. Interpolation adds no shorter waves, so the ratio tests
+    only how well the pixels resolve the map. (`own.wide_pixels` allows for waves that pixels hide.)
     The forces (...) on the bodies' own pixels are in N at 1 J/m², at the range of the contact.
     """
     geometry = bodies.geometry

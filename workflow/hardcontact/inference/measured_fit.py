@@ -107,14 +107,14 @@ def fit_measured(
     adhesion: xr.Dataset,
     force_table: pd.DataFrame,
     scan_sizes: Mapping[str, float],
-    pixel_factors: Mapping[str, float],
+    pixel_divisors: Mapping[str, float],
     sampling: Sampling,
 ) -> xr.Dataset:
     """Return the ranges and works of adhesion that agree with measured forces.
 
     `adhesion` holds the computed forces, `force_table` the measured forces in N. Scan sizes are in
-    nm. On finer pixels the computed force of a surface may be lower by its pixel factor, which
-    raises only the high end of the work.
+    nm. On finer pixels the computed force may be as low as itself divided by the pixel divisor of
+    the surface (`own.wide_pixels`), which raises only the high end of the work.
     """
     tables = dict(list(force_table.groupby("surface")))
     surfaces = [name for name in adhesion["surface"].values.tolist() if name in tables]
@@ -129,7 +129,7 @@ def fit_measured(
     fits = {}
     for model in adhesion["contact_model"].values.tolist():
         model_forces = forces_by_surface(measured_adhesion.sel(contact_model=model), scan_sizes)
-        fits[(model,)] = _fit_contact_model(model_forces, measured_forces, pixel_factors, sampling)
+        fits[(model,)] = _fit_contact_model(model_forces, measured_forces, pixel_divisors, sampling)
     # All contact models have the same parts of scans, so that those of the last one serve.
     interval_sources = [
         model_forces[name].scan_parts[0].interval_source
@@ -175,7 +175,7 @@ def _sample_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampli
 def _fit_contact_model(
     computed_forces: Mapping[str, SurfaceForces],
     measured_forces: Floats,
-    pixel_factors: Mapping[str, float],
+    pixel_divisors: Mapping[str, float],
     sampling: Sampling,
 ) -> xr.Dataset:
     """Return the fit of one contact model to measured forces (1 + sample, surface) in N."""
@@ -191,7 +191,7 @@ def _fit_contact_model(
     measured_means, measured_samples = measured_forces[0], measured_forces[1:]
     sampled_works = measured_samples[:, :, None] / np.stack(sampled_forces, axis=1)
     # Finer pixels lower the computed force, so that the high end of the work rises.
-    pixel_widening = np.array([[[1.0, pixel_factors[name]]] for name in computed_forces])
+    pixel_widening = np.array([[[1.0, pixel_divisors[name]]] for name in computed_forces])
     # All intervals of n independent surfaces contain the true pair with the confidence c if each
     # has the confidence c^(1/n).
     joint_confidence = sampling.confidence ** (1 / len(computed_forces))

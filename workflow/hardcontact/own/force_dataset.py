@@ -35,7 +35,7 @@ from hardcontact.inference.mean_forces import (
     position_half_width,
     summarize_masters,
 )
-from hardcontact.own.wide_pixels import surface_pixel_factors
+from hardcontact.own.wide_pixels import pixel_divisors
 from hardcontact.surfaces.spectrum import spectrum_of_dataset
 from hardcontact.theory.closed_form import closed_form
 from hardcontact.theory.summits import search_size
@@ -180,8 +180,8 @@ def widen_intervals(force: xr.Dataset, hindcast: xr.Dataset | None) -> xr.Datase
         force = force.merge(hindcast[names], join="left")
         force = widen_interval(force, "extrapolated_force", force["hindcast_ratio"])
         interval = force["force_interval"]
-        # Finer pixels can only lower forces.
-        extended = interval.where(interval["end"] != "low", interval / surface_pixel_factors(force))
+        # Finer pixels would lower forces, not raise them (`own.wide_pixels`).
+        extended = interval.where(interval["end"] != "low", interval / pixel_divisors(force))
         force = force.assign(force_interval=extended.transpose(*interval.dims))
     return force
 

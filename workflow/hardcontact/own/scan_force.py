@@ -80,23 +80,23 @@ def scan_force_numbers(
     own_spectrum: OwnSpectrum, contact: Contact, confidence: float
 ) -> dict[str, Number]:
     """Return the numbers of the force on the only map, or why it has none; empty for a table."""
-    spectrum, _, scans, body_maps = own_spectrum
-    if not (scans and isinstance(spectrum, ScanSpectrum)):
+    spectrum = own_spectrum.spectrum
+    if not (own_spectrum.scans and isinstance(spectrum, ScanSpectrum)):
         return {}
-    obstacle, shortest_range = find_obstacle(scans, contact)
+    obstacle, shortest_range = find_obstacle(own_spectrum.scans, contact)
     if obstacle:
         numbers = [Number("force_on_scan", math.nan, "N", status=obstacle)]
         if obstacle == Obstacle.SHORT_RANGE:
             numbers.append(Number("shortest_range", shortest_range, "nm"))
         return numbers_by_name(*numbers)
-    scan = scans[0]
+    scan = own_spectrum.scans[0]  # For two bodies, this is the sum of their maps.
     mirrored_scan = mirror_in_float32(scan)
-    contact = contact_on_scan(scan, contact)
-    surface_forces = _plastic_forces(scan, mirrored_scan, body_maps, contact)
+    contact = contact_on_scan(scan, contact)  # It differs only in its window.
+    surface_forces = _plastic_forces(scan, own_spectrum.body_maps, contact)
     wide_pixel_ratio = _wide_pixel_ratio(scan, mirrored_scan, contact)
-    # Finer pixels may lower forces, but not raise them: the factor lowers the low end of intervals.
-    pixel_factor = float(np.fmax(wide_pixel_ratio, 1.0))
-    force = _mean_force(surface_forces, smooth_force(contact), pixel_factor, confidence)
+    # Finer pixels would lower forces: the low ends of intervals are divided (`own.wide_pixels`).
+    pixel_divisor = float(np.fmax(wide_pixel_ratio, 1.0))
+    force = _mean_force(surface_forces, smooth_force(contact), pixel_divisor, confidence)
     search_width = search_size(spectrum.extrapolated(), contact.radius, contact.area)
     size_status = ScanSize.SMALL if scan.size < LARGE_SIZE_RATIO * search_width else ScanSize.LARGE
     _, small_scan_ratio = finite_scan_ratio(scan.size, search_width)
@@ -106,21 +106,25 @@ def scan_force_numbers(
         Number("wide_pixel_ratio", wide_pixel_ratio),
         *_scatter_numbers(surface_forces, confidence),
         Number("search_size", search_width, "nm", status=size_status),
-        _closed_form_number(mirrored_scan, force, small_scan_ratio, pixel_factor, contact),
+        _closed_form_number(mirrored_scan, force, small_scan_ratio, pixel_divisor, contact),
     )
 
 
 def _plastic_forces(
-    scan: HeightMap, mirrored_scan: HeightMap, body_maps: Sequence[HeightMap], contact: Contact
+    scan: HeightMap, body_maps: Sequence[HeightMap], contact: Contact
 ) -> SurfaceForces:
-    """Return the plastic forces (N) of a smooth sphere, or of a rough sphere at many positions."""
+    """Return the plastic forces (N) of a smooth sphere, or of a rough sphere at many positions.
+
+    A smooth sphere touches the scan. If there are maps of both bodies, these touch instead, at
+    SPHERE_POSITIONS positions. Their sum, the scan, has the sphere at one position alone.
+    """
     if body_maps:
         substrate, sphere = (mirror_in_float32(body_map) for body_map in body_maps)
         contact = replace(contact, contacts_per_row=POSITION_CONTACTS_PER_ROW)
         spheres = spheres_at_positions(sphere, math.isqrt(SPHERE_POSITIONS))
         joined_bodies = [join_bodies(substrate, moved, contact) for moved in spheres]
     else:
-        joined_bodies = [join_bodies(mirrored_scan, None, contact)]
+        joined_bodies = [join_bodies(mirror_in_float32(scan), None, contact)]
     pull_off = pull_off_on_spheres(dict(enumerate(joined_bodies)), contact, [contact.rho])
     forces = contact.work * pull_off["pull_off_force"].sel(contact_model=PLASTIC, drop=True)
     touched_patches = float(pull_off["touched_patches"].max())
@@ -128,7 +132,7 @@ def _plastic_forces(
 
 
 def _mean_force(
-    surface_forces: SurfaceForces, bound: float, pixel_factor: float, confidence: float
+    surface_forces: SurfaceForces, bound: float, pixel_divisor: float, confidence: float
 ) -> Number:
     """Return the mean plastic force (N) and its interval, which allows for finer pixels.
 
@@ -136,12 +140,15 @@ def _mean_force(
     """
     values = np.append(surface_forces.mean, mean_intervals(surface_forces, confidence)[0])
     mean, low, high = limit_forces(values, bound).tolist()
-    source = surface_forces.scan_parts[0].interval_source
-    return Number("force_on_scan", mean, "N", low / pixel_factor, high, source)
+    interval_source = surface_forces.scan_parts[0].interval_source
+    return Number("force_on_scan", mean, "N", low / pixel_divisor, high, status=interval_source)
 
 
 def _wide_pixel_ratio(scan: HeightMap, mirrored_scan: HeightMap, contact: Contact) -> float:
-    """Return the force on wider pixels relative to the force on the scan."""
+    """Return the force on pixels four times as wide relative to that on the scan, usually over 1.
+
+    The sphere is smooth, because the roughness of a rough one is a part of the scan.
+    """
     forces_on_map = make_force_function(contact)
     wide_pixel_force = forces_on_map(mirror_in_float32(widen_pixels(scan))).mean()
     return float(wide_pixel_force / forces_on_map(mirrored_scan).mean())
@@ -160,7 +167,7 @@ def _closed_form_number(
     mirrored_scan: HeightMap,
     force: Number,
     small_scan_ratio: float,
-    pixel_factor: float,
+    pixel_divisor: float,
     contact: Contact,
 ) -> Number:
     """Return the force in closed form for all wavelengths of the mirrored scan.
@@ -169,7 +176,7 @@ def _closed_form_number(
     pixels. So both must agree within the error of the closed form, if the heights are Gaussian.
     Errors come from the nearest designed surfaces. On a small scan the sum is too large, so
     `small_scan_ratio` raises the high end of the interval. Finer pixels may lower the force, so the
-    low end is divided by `pixel_factor`, but not before the comparison. The interval is NaN unless
+    low end is divided by `pixel_divisor`, but not before the comparison. The interval is NaN unless
     both forces agree.
     """
     wavevector, _, density = measured_psds(mirrored_scan)
@@ -190,4 +197,4 @@ def _closed_form_number(
         status = ClosedFormStatus.OUTSIDE
     if status != ClosedFormStatus.AGREES:
         low, high = math.nan, math.nan
-    return Number("closed_form_on_scan", form.force, "N", low / pixel_factor, high, status)
+    return Number("closed_form_on_scan", form.force, "N", low / pixel_divisor, high, status)
