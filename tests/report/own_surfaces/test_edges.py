@@ -4,12 +4,15 @@ import numpy as np
 import pytest
 import xarray as xr
 from answer_inputs import (
+    CONFIDENCE,
+    MEASUREMENTS,
     SURFACES,
     Measurement,
     datasets,
     drop_interval,
     edges,
     force,
+    make_answer,
     move_edge,
     numbers_of,
     open_edges,
@@ -18,6 +21,7 @@ from answer_inputs import (
     spectra,
     unresolved_edges,
 )  # fmt: skip
+from intervals import between_multiples
 
 from hardcontact.base.number import Number, json_value
 from hardcontact.report.own_surfaces.answer import surface_answers
@@ -100,6 +104,18 @@ def test_open_and_extrapolated_edges_recommend_a_measurement(data, advice):
     # The scans are reliable from 55 nm to 25 µm.
     measurements = surface_answers(datasets(edges=data), setting())[0].next_scans
     assert [(scan.edge, scan.code, scan.limit.value) for scan in measurements] == advice
+
+
+@pytest.mark.parametrize(("ratio", "code"), [(np.nan, "gap"), (0.3, "larger")])
+def test_a_gap_is_to_be_measured_if_the_scans_show_no_octave_for_a_hindcast(ratio, code):
+    scans = {name: MEASUREMENTS[name] for name in ("fine.spm", "line.txt")}  # 320 to 800 nm missing
+    ratios = between_multiples("hindcast_ratio", "side", [1.0, ratio], (0.9, 1.1), CONFIDENCE)
+    untested = force().assign(ratios | {"hindcast_fails": ("side", [0, 1])})
+    data = datasets(force=untested, spectra=spectra(scans=scans))
+    notes = {note["code"]: note["text"] for note in make_answer(data)["notes"]}
+    assert code in notes and ("gap" in notes) == (code == "gap")
+    advice = "For the long edge, measure wavelengths of 320 nm to 800 nm, which no scan shows"
+    assert (advice in notes[code]) == (code == "gap")
 
 
 @pytest.mark.parametrize(("pixel_size", "suffice"), [(5.0, True), (20.0, False)])

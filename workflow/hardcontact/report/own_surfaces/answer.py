@@ -122,9 +122,9 @@ def _surface_answer(
     named_numbers = numbers_by_name(*numbers)
     conclusion = edges.surface_conclusion(named_numbers)
     cautions = answer_cautions(data, named_numbers)
+    named_numbers |= numbers_by_name(*_caution_numbers(cautions))
     next_scans = edges.next_scans(named_numbers, data.spectra)
     named_numbers |= numbers_by_name(
-        *_caution_numbers(cautions),
         *(scan.limit._replace(name=f"{scan.edge}_{scan.code}_limit") for scan in next_scans),
         *_topography_numbers(data.topography),
         *_measurement_numbers(data.spectra),

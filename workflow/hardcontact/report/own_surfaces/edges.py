@@ -43,10 +43,13 @@ class Conclusion(NamedTuple):
 
 
 class NextScan(NamedTuple):
-    """A measurement to make next: a scan that is reliable beyond `limit` would find an edge."""
+    """A measurement to make next: a scan that is reliable beyond `limit` would find an edge.
+
+    With the code gap, `limit` has no value: a scan that is reliable between its ends would find it.
+    """
 
     edge: str  #: short_edge or long_edge.
-    code: str  #: finer or larger.
+    code: str  #: finer, larger or gap.
     limit: Number
     body: str = ""  #: The rougher at `limit`, "sphere" or "surface"; "" for a smooth sphere.
     pixels_suffice: bool = False  #: Tip, noise or smoothing hide finer waves, not pixels.
@@ -207,16 +210,32 @@ def next_scans(numbers: Mapping[str, Number], spectra: xr.Dataset) -> list[NextS
     if (spectra["kind"] == "description").any():
         return []
     return [
-        _next_scan(edge, spectra)
+        _next_scan(edge, numbers, spectra)
         for edge in (numbers["short_edge"], numbers["long_edge"])
         if edge.status in (*OPEN_WORDS, NoValue.NO_BAND)
         or edge.source in ("unreliable", "partly_unreliable")
     ]
 
 
-def _next_scan(edge: Number, spectra: xr.Dataset) -> NextScan:
-    """Return the measurement that would find an edge."""
+def _rougher_body(spectra: xr.Dataset, wavelength: float) -> str:
+    """Return `NextScan.body` at a wavelength (nm)."""
+    share = sphere_share(spectra, wavelength)
+    return "" if np.isnan(share) else "sphere" if share > 0.5 else "surface"
+
+
+def _next_scan(edge: Number, numbers: Mapping[str, Number], spectra: xr.Dataset) -> NextScan:
+    """Return the measurement that would find an edge.
+
+    A hindcast without a ratio tested no octave, because the scan of the contacts shows none. If
+    there is a gap between scans, a map of the gap can give the hindcast an octave.
+    """
     bands = unreliable_bands(spectra)
+    gaps = bands[1:-1]
+    ratio_name = f"hindcast_{edge.name.removesuffix('_edge')}_ratio"
+    if gaps and edge.status == NoValue.NO_HINDCAST and np.isnan(numbers[ratio_name].value):
+        low, high = max(gaps, key=lambda ends: ends[1] / ends[0])
+        gap = number_without_value("limit", low, high, "nm")
+        return NextScan(edge.name, "gap", gap, _rougher_body(spectra, np.sqrt(low * high)))
     wavelength = edge.value
     is_finer = edge.name == "short_edge"
     if np.isnan(wavelength):
@@ -229,8 +248,7 @@ def _next_scan(edge: Number, spectra: xr.Dataset) -> NextScan:
     else:
         shortest_above, _ = min(band for band in bands if wavelength < band[1])
         limit = max(wavelength, shortest_above)
-    share = sphere_share(spectra, limit)
-    body = "" if np.isnan(share) else "sphere" if share > 0.5 else "surface"
+    body = _rougher_body(spectra, limit)
     code = "finer" if is_finer else "larger"
     pixels_suffice = is_finer and bool((MIN_PIXELS * spectra["pixel_size"] < limit).any())
     return NextScan(edge.name, code, Number("limit", limit, "nm"), body, pixels_suffice)
