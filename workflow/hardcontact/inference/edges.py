@@ -88,12 +88,14 @@ def find_edges(
     crossed_limit = change_outside.clip(lower, upper)
     fraction = (crossed_limit - change_inside) / (change_outside - change_inside)
     edge = np.exp(np.log(cutoff_inside) + fraction * np.log(abs(first_outside) / cutoff_inside))
+    # An open edge comes after the last cutoff inside or, if none is inside, before the first one.
     is_open = edge.isnull()
     signed_bound = last_inside.fillna(first_outside).where(is_open)
+    comes_before_bound = first_outside.notnull()
     is_short = signed_bound > 0
-    # An open edge comes before the first cutoff, or after the last one.
-    comes_before = first_outside.notnull()
-    open_status = np.where(is_short == comes_before, EdgeStatus.OPEN_BELOW, EdgeStatus.OPEN_ABOVE)
+    # Before the bound are shorter wavelengths on the short side, longer ones on the long side.
+    is_below_bound = is_short == comes_before_bound
+    open_status = np.where(is_below_bound, EdgeStatus.OPEN_BELOW, EdgeStatus.OPEN_ABOVE)
     return xr.Dataset(
         {
             "edge": (edge.dims, edge.values, NM),
@@ -122,6 +124,7 @@ def _first_and_last_before(signed_cutoffs: Any, mask: Any) -> tuple[Any, Any]:
     true at the first cutoff of the curve, the last before it is NaN.
     """
     first = signed_cutoffs.where(mask).min(CUTOFF)
+    # Nothing is at or above NaN: without a first, all cutoffs are before it.
     return first, signed_cutoffs.where(~(signed_cutoffs >= first)).max(CUTOFF)
 
 
