@@ -10,7 +10,7 @@ rule compute_pull_off:
     output:
         STORE.pull_off,
     params:
-        parameters=SETTINGS["pull_off"],
+        parameters=SETTINGS["pull_off"],  # sphere_positions, positions_per_row, contact, ranges
     script:
         "../scripts/compute_pull_off.py"
 

@@ -37,7 +37,7 @@ rule compute_band_forces:
         BAND_FORCES,
     params:
         parameters=lambda w: dict(
-            **SETTINGS["band_forces"],
+            **SETTINGS["band_forces"],  # seed, scan_grid, featured_surface, contact, grid
             surface=w.surface,
             surface_numbers=list(range(1, STUDY["band"]["whole_surfaces"] + 1)),
             has_features=w.surface == PLAN.featured_surface,

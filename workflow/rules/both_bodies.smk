@@ -23,7 +23,7 @@ rule combine_scans:
             surface=w.surface,
             scan=int(w.scan),
             sphere_scan=PLAN.sphere_scan_number(w.surface, int(w.scan)),
-            **SETTINGS["both_bodies"],
+            **SETTINGS["both_bodies"],  # seed, sphere
         ),
     script:
         "../scripts/combine_scans.py"

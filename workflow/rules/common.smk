@@ -9,7 +9,7 @@
 #   HAS_FORCES     whether the user's surfaces have a table of measured forces
 #   PAGES          the category and the title of each page of the report
 #   ANSWER         answer.html and answer.json
-#   PUBLISHED_TABLES  the tables of the paper, by name
+#   PUBLISHED_TABLES  the tables of the paper: published_constants, published_pull_off, published_table1
 # surfaces.smk defines the names that depend on the table of surfaces. Each other file of rules uses the
 # names that it defines itself. Only the Snakefile uses one of these, too: TARGETS of targets.smk.
 

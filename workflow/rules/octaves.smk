@@ -11,6 +11,7 @@ rule compute_whole_surface_forces:
         STORE.whole_surfaces,
     params:
         parameters=lambda w: dict(
+            # seed, scan_grid, featured_surface, contact, grid, ranges
             **SETTINGS["whole_surfaces"],
             surface=w.surface,
             surface_numbers=list(range(int(w.first), int(w.last) + 1)),
@@ -28,7 +29,7 @@ rule compute_octave_forces:
     output:
         STORE.octave_forces,
     params:
-        parameters=lambda w: dict(scan=int(w.scan), **SETTINGS["octave_forces"]),
+        parameters=lambda w: dict(scan=int(w.scan), **SETTINGS["octave_forces"]),  # contact
     script:
         "../scripts/compute_octave_forces.py"
 

@@ -20,7 +20,7 @@ rule compute_hindcast_forces:
             scan=int(w.scan),
             body_scans=PLAN.body_scan_ids(w.surface, int(w.scan)),
             measurement_indices=PLAN.measurement_indices(w.surface, int(w.scan)),
-            **SETTINGS["hindcast"],
+            **SETTINGS["hindcast"],  # seed, contact, transitions
         ),
     script:
         "../scripts/compute_hindcast_forces.py"
@@ -90,7 +90,7 @@ rule compute_force_dataset:
         parameters=dict(
             contact=CONTACT_ARGUMENTS
             | {"rho": STUDY["adhesion"]["range"], "work": STUDY["adhesion"]["work"]},
-            **MASTER_PARAMETERS,
+            **MASTER_PARAMETERS,  # scan_counts, tiles, tolerance, confidence
         ),
     script:
         "../scripts/compute_force_dataset.py"

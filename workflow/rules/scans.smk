@@ -25,6 +25,7 @@ rule read_scan:
     output:
         STORE.measurements,
     params:
+        # Settings: undefined_pixels, unit, map_size, mask.
         parameters=lambda w: dict(
             dataset=SELECTION.dataset(w.surface, int(w.scan)), **SETTINGS["measurements"]
         ),
@@ -43,7 +44,7 @@ rule measure_spectrum:
         parameters=lambda w: dict(
             tip_radii=SELECTION.tip_radii(w.surface),
             sphere_radius=PLAN.sphere_radius(w.surface),
-            **SETTINGS["measured_spectra"],
+            **SETTINGS["measured_spectra"],  # levelling
         ),
     script:
         "../scripts/measure_spectrum.py"
@@ -76,7 +77,7 @@ for scan_numbers, surfaces in PLAN.scan_batches.items():
                 scan_numbers=scan_numbers,
                 sphere_radius=PLAN.sphere_radius(w.surface),
                 has_features=w.surface == PLAN.featured_surface,
-                **SETTINGS["substitute_scans"],
+                **SETTINGS["substitute_scans"],  # seed, scan_grid, featured_surface
             ),
         script:
             "../scripts/make_scans.py"
@@ -93,7 +94,7 @@ rule prepare_scan:
         surface=any_name_pattern(SELECTION.measured_surfaces),
     params:
         parameters=lambda w: dict(
-            sphere_radius=PLAN.sphere_radius(w.surface), **SETTINGS["measured_scans"]
+            sphere_radius=PLAN.sphere_radius(w.surface), **SETTINGS["measured_scans"]  # levelling
         ),
     script:
         "../scripts/prepare_scan.py"

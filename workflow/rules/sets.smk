@@ -17,7 +17,7 @@ rule compute_pool:
         STORE.pool,
     params:
         parameters=lambda w: dict(
-            **SETTINGS["pool"],
+            **SETTINGS["pool"],  # seed, scan_grid, contact, ranges, rms_height_count
             surface=w.surface,
             first=int(w.first),
             last=int(w.last),
@@ -35,7 +35,7 @@ rule compute_featured_candidates:
         STORE.featured_candidates,
     params:
         parameters=lambda w: dict(
-            **SETTINGS["featured_candidates"],
+            **SETTINGS["featured_candidates"],  # seed, scan_grid, contact, ranges
             surface=w.surface,
             first=int(w.first),
             last=int(w.last),

@@ -51,7 +51,7 @@ rule solve_elastic_contacts:
         parameters=lambda w: dict(
             surface=w.surface,
             scans=SELECTION.contact_scan_numbers(w.surface),
-            **SETTINGS["elastic"],
+            **SETTINGS["elastic"],  # seed, contact, contacts
         ),
     script:
         "../scripts/solve_elastic_contacts.py"
@@ -102,7 +102,7 @@ rule find_asperities:
         parameters=lambda w: dict(
             surface=w.surface,
             scans=SELECTION.contact_scan_numbers(w.surface),
-            **SETTINGS["asperities"],
+            **SETTINGS["asperities"],  # seed, contact, asperities
         ),
     script:
         "../scripts/find_asperities.py"

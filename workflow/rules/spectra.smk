@@ -18,7 +18,7 @@ rule sample_spectra:
             contact_scan_indices=SELECTION.contact_scan_indices(w.surface),
             tip_radii=SELECTION.tip_radii(w.surface),
             sphere_radius=PLAN.sphere_radius(w.surface),
-            **SETTINGS["sampled_spectra"],
+            **SETTINGS["sampled_spectra"],  # seed, levelling
         ),
     script:
         "../scripts/sample_spectra.py"

@@ -2,16 +2,21 @@
 #
 # Names that the rules of several files use, besides those of common.smk:
 #   SELECTION          the surfaces of the table, with their labels, scans and source files
-#   LABELS_AND_SOURCES the label of each surface, and whether it was measured or is a substitute
+#   LABELS_AND_SOURCES the parameters `labels` and `source`: the label of each surface, and whether it was
+#                      measured or is a substitute
 #   PLAN               what follows from keys and table together: scans, bodies and positions of contacts
 #   STORE              the path of each kind of intermediate, with wildcards in braces
 #   FILES              the paths of the files of a surface: `FILES.path` fills in the wildcards
 #   SETTINGS           the settings of each kind of intermediate: all that its rule takes from STUDY. Their
-#                      digest is in its path. Most rules of final files take single keys of STUDY instead
+#                      digest is in its path; a comment beside them names them. Most rules of final files
+#                      take single keys of STUDY instead
 #   CHUNKS             what one job computes together: some masters, whole surfaces or scans of a pool
-#   CONTACT_ARGUMENTS  the arguments of class Contact that are keys, without range and work of adhesion
-#   DESCRIPTION_INPUTS the description of a substitute, and the tables that it names
-#   SUBSTITUTE_INPUTS  the files from which other random surfaces like a substitute are made
+#   CONTACT_ARGUMENTS  the arguments of class Contact that are keys: hardness, preload, window,
+#                      contacts_per_row and radius, without range and work of adhesion
+#   DESCRIPTION_INPUTS the inputs `description` and `tables`: the description of a substitute, and the tables
+#                      that it names
+#   SUBSTITUTE_INPUTS  the input `substitute`: the files from which other random surfaces like a substitute
+#                      are made
 #   SPHERE_SCAN        the scan of the sphere that touches scans with changed or replaced octaves; none if
 #                      the sphere is smooth, or if its roughness was added to that of the substrates
 
