@@ -13,15 +13,7 @@ from hardcontact.base.statistics import student_interval
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.numerical_limits import FINITE_SCAN_RATIOS
 from hardcontact.inference.mean_forces import MasterScans
-from hardcontact.own.force_dataset import (
-    add_extrapolated_force,
-    add_sizes,
-    bound_by_smooth_sphere,
-    contacts_needed,
-    find_extrapolated_forces,
-    forces_on_scans,
-    widen_intervals,
-)
+from hardcontact.own import force_dataset
 
 RHOS = [1.0, 5.0, 20.0]
 CONTACT = Contact(radius=5e3, preload=10e-6, hardness=25e9, work=0.05, rho=5.0)
@@ -29,7 +21,7 @@ SCAN_SIZES = {"a": 2500.0, "b": 2500.0}
 
 
 def forces_of(computed_forces):
-    return forces_on_scans(computed_forces, CONTACT, SCAN_SIZES, 0.9)
+    return force_dataset._forces_on_scans(computed_forces, CONTACT, SCAN_SIZES, 0.9)
 
 
 def adhesion(scan_counts, radius=5e3, spread=0.3):
@@ -129,7 +121,7 @@ def test_forces_are_bounded_by_that_of_a_smooth_sphere():
     extrapolated_forces = xr.Dataset(
         {"extrapolated_force": ("side", [1e-9, 1.0])}, {"side": ["short", "long"]}
     ).assign(extrapolated_force_interval=("side", [1e-9, 1.0]))
-    bounded = bound_by_smooth_sphere(scan_forces.merge(extrapolated_forces), 400.0)
+    bounded = force_dataset._bound_by_smooth_sphere(scan_forces.merge(extrapolated_forces), 400.0)
     rigid = 2 * np.pi * 5e-6 * 0.05  # 2 pi R W, to which an area in contact adds W A / rho
     bound = xr.DataArray(
         [[rigid] * 3, [rigid + 0.05 * 4e-16 / (1e-9 * rho) for rho in RHOS]],
@@ -142,7 +134,7 @@ def test_forces_are_bounded_by_that_of_a_smooth_sphere():
     endless = scan_forces.assign(force_interval=scan_forces.force_interval * 0 + np.inf).merge(
         extrapolated_forces
     )
-    assert np.isinf(bound_by_smooth_sphere(endless, 400.0).force_interval).all()
+    assert np.isinf(force_dataset._bound_by_smooth_sphere(endless, 400.0).force_interval).all()
 
 
 # With extrapolated roughness
@@ -153,7 +145,9 @@ MASTER_FORCES = filtered_forces([[SHORT, LONG]]).assign(transition=("side", [20.
 def extrapolated_forces_of(patches=99):
     """Extrapolated forces from masters of one scan, whose contacts touch a number of patches."""
     master_scans = MasterScans(scan_counts={"a": 1}, tiles=2, touched_patches={"a": patches})
-    return find_extrapolated_forces(MASTER_FORCES, master_scans, CONTACT.work, confidence=0.95)
+    return force_dataset._find_extrapolated_forces(
+        MASTER_FORCES, master_scans, CONTACT.work, confidence=0.95
+    )
 
 
 def test_the_extrapolated_force_is_the_mean_over_contacts_and_masters():
@@ -178,7 +172,9 @@ def test_the_extrapolated_force_differs_beyond_its_interval_and_the_tolerance(
         {"surface": ["a"], "contact_model": ["plastic"], "rho": [5.0]},
         {"rho": 5.0},
     )
-    comparison = add_extrapolated_force(scan_forces, extrapolated_forces, 0.1).extrapolation_matters
+    comparison = force_dataset._add_extrapolated_forces(
+        scan_forces, extrapolated_forces, 0.1
+    ).extrapolation_matters
     assert comparison.sel(side="short").values.tolist() == [differs]
 
 
@@ -186,12 +182,12 @@ def test_a_mean_over_the_needed_contacts_keeps_the_tolerance():
     computed_forces = adhesion([3, 1], spread=0.8).pull_off_force
     selection = {"surface": "a", "contact_model": "plastic", "rho": 5.0}
     forces = computed_forces.sel(selection).values.ravel()
-    needed = round(contacts_needed(computed_forces, 0.1, 0.9).sel(selection).item())
+    needed = round(force_dataset._contacts_needed(computed_forces, 0.1, 0.9).sel(selection).item())
     means = generator(1, "contacts").choice(forces, (2000, needed)).mean(axis=1)
     is_within = np.abs(means / forces.mean() - 1) < 0.1
     assert needed > 50 and is_within.mean() == pytest.approx(0.9, abs=0.02)
     equal_forces = adhesion([3, 1], spread=0.001).pull_off_force
-    assert (contacts_needed(equal_forces, 0.1, 0.9) == 1).all()
+    assert (force_dataset._contacts_needed(equal_forces, 0.1, 0.9) == 1).all()
 
 
 def test_intervals_include_the_effect_of_finer_pixels():
@@ -205,7 +201,7 @@ def test_intervals_include_the_effect_of_finer_pixels():
         | {name: ("surface", [1.0, 1.0]) for name in names},
         {"surface": ["a", "b"]},
     )
-    widened = widen_intervals(scan_forces, hindcast)
+    widened = force_dataset._widen_intervals(scan_forces, hindcast)
     change = (widened.force_interval / scan_forces.force_interval).transpose("surface", "end", ...)
     np.testing.assert_allclose(change.isel(surface=0, end=0), 1 / 1.5)
     np.testing.assert_allclose(change.isel(surface=0, end=1), 1)
@@ -216,7 +212,7 @@ def test_the_share_of_a_window_matches_the_sum_over_its_pixels():
     rhos, window = np.array([2.0, 20.0, 200.0]), 5e3
     contact = Contact(radius=250e3, preload=10e-6, hardness=25e9, window=window)
     sizes = {"scan_size": ("surface", [1000.0]), "pixel_size": ("surface", [10.0])}
-    sized_forces = add_sizes(
+    sized_forces = force_dataset._add_sizes(
         xr.Dataset({"search_size": ("surface", [3000.0])}, {"rho": rhos, "surface": ["a"]}),
         xr.Dataset(sizes, {"surface": ["a"]}),
         contact,

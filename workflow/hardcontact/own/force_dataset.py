@@ -6,7 +6,7 @@ dimension `rho` has all ranges of adhesion (nm), the attribute `rho` that of the
 """
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -44,8 +44,63 @@ from hardcontact.theory.summits import search_size
 FORCE_QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
 
 
-def forces_on_scans(
-    adhesion: xr.Dataset, contact: Contact, scan_sizes: Mapping[str, float], confidence: float
+class ForceInputs(NamedTuple):
+    """The datasets of a study that force.nc needs; forces in them are at 1 J/m²."""
+
+    adhesion: xr.Dataset
+    filtered_forces: xr.Dataset
+    topography: xr.Dataset
+    spectra: xr.Dataset
+    hindcast: xr.Dataset | None  #: None if the extrapolation is not tested.
+
+
+def compute_force_dataset(
+    inputs: ForceInputs,
+    contact: Contact,
+    master_scans: MasterScans,
+    tolerance: float,
+    confidence: float,
+) -> xr.Dataset:
+    """Return force.nc: the forces on the surfaces with their intervals, and what limits them.
+
+    Each step adds variables to one dataset, or changes them:
+
+    1. adhesion.nc gives ``force`` (surface, contact_model, rho), the force on scans, with its
+       interval and scatter. On a rough sphere ``position_factor`` is added, too.
+    2. filtered_forces.nc gives ``extrapolated_force`` (surface, side) with its interval.
+    3. ``force``, ``force_interval`` and ``extrapolated_force`` give ``extrapolation_matters``.
+    4. hindcast.nc, if there is one, gives ``hindcast_ratio`` and ``wide_pixel_ratio``. The former
+       and ``position_factor`` widen ``extrapolated_force_interval``. The latter lowers the low end
+       of ``force_interval``.
+    5. The force on a smooth sphere, ``smooth_bound``, is added, and bounds both forces and
+       intervals.
+    6. spectra.nc gives ``search_size`` and ``weibull_modulus``.
+    7. ``search_size`` and topography.nc give ``finite_scan_ratio`` and ``pixel_area``. The contact
+       gives ``window_share``.
+    8. adhesion.nc gives ``contacts_needed``.
+
+    Step 3 comes before step 4, because step 4 lowers ``force_interval`` by the effect of finer
+    pixels. Extrapolated roughness has a similar effect, and the comparison is to show it. Step 5
+    comes after step 4, because a widened interval may exceed the bound. Step 7 needs
+    ``search_size`` from step 6.
+    """
+    adhesion, filtered_forces, topography, spectra, hindcast = inputs
+    scan_sizes = topography["scan_size"].to_series().to_dict()
+    dataset = _forces_on_scans(adhesion, contact, scan_sizes, confidence)
+    extrapolated = _find_extrapolated_forces(
+        filtered_forces, master_scans, contact.work, confidence
+    )
+    dataset = _add_extrapolated_forces(dataset, extrapolated, tolerance)
+    dataset = _widen_intervals(dataset, hindcast)
+    dataset = _bound_by_smooth_sphere(dataset, contact.area)
+    dataset = _add_closed_form(dataset, spectra, contact)
+    dataset = _add_sizes(dataset, topography, contact)
+    needed = _contacts_needed(adhesion["pull_off_force"], tolerance, confidence)
+    return dataset.assign(contacts_needed=needed)
+
+
+def _forces_on_scans(
+    adhesion: xr.Dataset, contact: Contact, scan_sizes: Mapping[Any, float], confidence: float
 ) -> xr.Dataset:
     """Return the mean force (surface, contact_model, rho) in N over contacts and scans.
 
@@ -65,8 +120,8 @@ def forces_on_scans(
         )
         for surface in adhesion.surface.values.tolist()
     }
-    force = stack(surfaces, ["surface"])
-    return force.assign(label=adhesion.label, source=adhesion.source).assign_attrs(
+    dataset = stack(surfaces, ["surface"])
+    return dataset.assign(label=adhesion.label, source=adhesion.source).assign_attrs(
         work_of_adhesion=contact.work,
         rho=contact.rho,
         confidence=confidence,
@@ -110,7 +165,7 @@ def _force_variables(
     )
 
 
-def find_extrapolated_forces(
+def _find_extrapolated_forces(
     forces: xr.Dataset, master_scans: MasterScans, work: float, confidence: float
 ) -> xr.Dataset:
     """Return the mean force (surface, side) in N on unfiltered masters; `forces` are at 1 J/m².
@@ -123,10 +178,7 @@ def find_extrapolated_forces(
         """Return the extrapolated force of one surface and side."""
         force = work * master_forces.forces.unfiltered_pull_off_force.mean().values
         half_width = half_width_over_masters(
-            master_forces,
-            lambda filtered, unfiltered: unfiltered,
-            "log_unfiltered_force_shift",
-            confidence,
+            master_forces, _unfiltered_force, "log_unfiltered_force_shift", confidence
         )
         interval = logarithmic_interval(force, half_width)
         return xr.Dataset(
@@ -140,22 +192,27 @@ def find_extrapolated_forces(
     return summarize_masters(forces, master_scans, summary).assign(transition=forces.transition)
 
 
-def add_extrapolated_force(
-    force: xr.Dataset, extrapolated_forces: xr.Dataset, tolerance: float
+def _unfiltered_force(filtered: xr.DataArray, unfiltered: xr.DataArray) -> xr.DataArray:
+    """Return the unfiltered force, as a statistic of the filtered and unfiltered mean forces."""
+    return unfiltered
+
+
+def _add_extrapolated_forces(
+    dataset: xr.Dataset, extrapolated_forces: xr.Dataset, tolerance: float
 ) -> xr.Dataset:
-    """Return forces on scans, extrapolated forces, and whether the extrapolation matters.
+    """Return the dataset with extrapolated forces, and with whether the extrapolation matters.
 
     It matters if the extrapolated force is outside the interval of the force on the scans, and
     differs from this force by more than the tolerance.
     """
-    scan_force = _plastic_at_range(force, force.attrs["rho"])
-    extrapolated = extrapolated_forces.extrapolated_force
-    low, high = interval_ends(scan_force, "force")
+    on_scans = _plastic_at_range(dataset, dataset.attrs["rho"])
+    extrapolated = extrapolated_forces["extrapolated_force"]
+    low, high = interval_ends(on_scans, "force")
     is_inside = (low <= extrapolated) & (extrapolated <= high)
-    is_changed = np.abs(extrapolated / scan_force.force - 1) > tolerance
+    is_changed = np.abs(extrapolated / on_scans["force"] - 1) > tolerance
     matters = (is_changed & ~is_inside).astype(int)
     matters.attrs = DIMENSIONLESS
-    return force.merge(extrapolated_forces).assign(
+    return dataset.merge(extrapolated_forces).assign(
         extrapolation_matters=matters.transpose("surface", "side")
     )
 
@@ -165,76 +222,72 @@ def _plastic_at_range(data: Any, rho: float) -> Any:
     return data.sel(contact_model=PLASTIC, drop=True).sel(rho=rho, method="nearest", drop=True)
 
 
-def widen_intervals(force: xr.Dataset, hindcast: xr.Dataset | None) -> xr.Dataset:
-    """Return forces with intervals that include further errors.
+def _widen_intervals(dataset: xr.Dataset, hindcast: xr.Dataset | None) -> xr.Dataset:
+    """Return the dataset with intervals that include further errors.
 
     The interval of the extrapolated force gets two: the unknown position of a rough sphere, which
     that of the force on scans already includes, and the error that the hindcast shows. The interval
     of the force on scans gets a lower end, because of finer pixels.
     """
-    if "position_factor" in force:
-        factor = _plastic_at_range(force, force.attrs["rho"])["position_factor"]
-        force = widen_interval(force, "extrapolated_force", factor)
+    if "position_factor" in dataset:
+        factor = _plastic_at_range(dataset, dataset.attrs["rho"])["position_factor"]
+        dataset = widen_interval(dataset, "extrapolated_force", factor)
     if hindcast is not None:
         names = ["hindcast_ratio", "hindcast_ratio_interval", "hindcast_fails", "wide_pixel_ratio"]
-        force = force.merge(hindcast[names], join="left")
-        force = widen_interval(force, "extrapolated_force", force["hindcast_ratio"])
-        interval = force["force_interval"]
+        dataset = dataset.merge(hindcast[names], join="left")
+        dataset = widen_interval(dataset, "extrapolated_force", dataset["hindcast_ratio"])
+        interval = dataset["force_interval"]
         # Finer pixels would lower forces, not raise them (`own.wide_pixels`).
-        extended = interval.where(interval["end"] != "low", interval / pixel_divisors(force))
-        force = force.assign(force_interval=extended.transpose(*interval.dims))
-    return force
+        lowered = interval / pixel_divisors(dataset)
+        interval = interval.where(interval["end"] != "low", lowered).transpose(*interval.dims)
+        dataset = dataset.assign(force_interval=interval)
+    return dataset
 
 
-def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
-    """Return forces that, with their intervals, never exceed the force on a smooth sphere.
+def _bound_by_smooth_sphere(dataset: xr.Dataset, area: float) -> xr.Dataset:
+    """Return the dataset with forces and intervals that never exceed that on a smooth sphere.
 
     The contact `area` is in nm². Proof: workflow/report/theory.md (Upper bound of the force).
     """
     # Rigid contact has no area.
-    areas = area * (force["contact_model"] == PLASTIC)
-    work = force.attrs["work_of_adhesion"]
-    radius = force.attrs["sphere_radius"]
-    bound = smooth_pull_off(work, radius, areas, force["rho"])
-    master_bound = _plastic_at_range(bound, force.attrs["rho"])
+    areas = area * (dataset["contact_model"] == PLASTIC)
+    work = dataset.attrs["work_of_adhesion"]
+    radius = dataset.attrs["sphere_radius"]
+    bound = smooth_pull_off(work, radius, areas, dataset["rho"])
+    master_bound = _plastic_at_range(bound, dataset.attrs["rho"])
     bounded = {"smooth_bound": bound.assign_attrs(NEWTON)}
-    for name, limit in {"force": bound, "extrapolated_force": master_bound}.items():
-        for variable in (name, f"{name}_interval"):
-            bounded[variable] = xr.apply_ufunc(
-                limit_forces, force[variable], limit, keep_attrs=True
-            )
-    return force.assign(bounded)
+    for force, limit in {"force": bound, "extrapolated_force": master_bound}.items():
+        for name in (force, f"{force}_interval"):
+            bounded[name] = xr.apply_ufunc(limit_forces, dataset[name], limit, keep_attrs=True)
+    return dataset.assign(bounded)
 
 
-def add_closed_form(force: xr.Dataset, spectra: xr.Dataset, contact: Contact) -> xr.Dataset:
-    """Return forces with search size (nm), Weibull modulus (surface) and Tabor parameter."""
-    own_spectra = [
-        spectrum_of_dataset(spectra.sel(surface=name)) for name in force["surface"].values
-    ]
+def _add_closed_form(dataset: xr.Dataset, spectra: xr.Dataset, contact: Contact) -> xr.Dataset:
+    """Return the dataset with search size (nm), Weibull modulus (surface) and Tabor parameter."""
+    surfaces = dataset["surface"].values
+    own_spectra = [spectrum_of_dataset(spectra.sel(surface=surface)) for surface in surfaces]
     search_sizes = [search_size(spectrum, contact.radius, contact.area) for spectrum in own_spectra]
     moduli = [closed_form(spectrum, contact).weibull_modulus for spectrum in own_spectra]
     tabor = judge_tabor_parameter(contact, assumed_modulus(contact.hardness))
-    return force.assign(
+    return dataset.assign(
         search_size=("surface", search_sizes, NM),
         weibull_modulus=("surface", moduli, DIMENSIONLESS),
     ).assign_attrs(tabor_parameter=tabor.value, bodies=tabor.status)
 
 
-def add_sizes(force: xr.Dataset, topography: xr.Dataset, contact: Contact) -> xr.Dataset:
-    """Return forces, which need `search_size`, with the effects of scan width and window."""
-    scans = topography[["scan_size", "pixel_size"]].sel(surface=force["surface"])
-    ratios = [
-        finite_scan_ratio(*sizes)
-        for sizes in zip(scans["scan_size"].values, force["search_size"].values, strict=True)
-    ]
-    return force.assign(
+def _add_sizes(dataset: xr.Dataset, topography: xr.Dataset, contact: Contact) -> xr.Dataset:
+    """Return the dataset with the effects of scan width and window, and the pixel area in nm²."""
+    scans = topography[["scan_size", "pixel_size"]].sel(surface=dataset["surface"])
+    sizes = zip(scans["scan_size"].values, dataset["search_size"].values, strict=True)
+    ratios = [finite_scan_ratio(*scan_and_search_size) for scan_and_search_size in sizes]
+    return dataset.assign(
         finite_scan_ratio=(("surface", "end"), ratios, DIMENSIONLESS),
         pixel_area=("surface", scans["pixel_size"].values ** 2, {"units": "nm2"}),
-        window_share=("rho", window_share(contact, force["rho"].values), DIMENSIONLESS),
+        window_share=("rho", window_share(contact, dataset["rho"].values), DIMENSIONLESS),
     ).assign_attrs(window=contact.window, contact_area=contact.area)
 
 
-def contacts_needed(forces: xr.DataArray, tolerance: float, confidence: float) -> xr.DataArray:
+def _contacts_needed(forces: xr.DataArray, tolerance: float, confidence: float) -> xr.DataArray:
     """Return the number of contacts whose mean force is within the tolerance, with a confidence.
 
     A mean over that many contacts has the half width quantile * relative_std / sqrt(count), which
