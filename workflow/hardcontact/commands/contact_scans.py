@@ -24,7 +24,11 @@ Group = list[UserScan]
 def all_search_sizes(
     scans: Sequence[UserScan], sphere_surface: str | None, contact: Contact
 ) -> dict[str, float]:
-    """Return the search size (nm) of each substrate, within which the sphere finds its summits."""
+    """Estimate the search size (nm) of each substrate, within which the sphere finds its summits.
+
+    The estimate is the largest of the scans, each from its own spectrum. The search size of the
+    study differs, because it is from the joined, extrapolated spectrum.
+    """
     sizes: dict[str, float] = {}
     sphere_densities = [scan.density for scan in scans if scan.scan_file.surface == sphere_surface]
     # In each bin the roughest scan of the sphere; zero where no scan has waves.
@@ -104,7 +108,8 @@ def _best_group(
     max_pixel_size = interaction_radius / MIN_RADIUS_PIXELS
     resolved = [group for group in usable if group[0].pixel_size <= max_pixel_size]
     large = [group for group in resolved if group[0].size >= sufficient_size]
-    goal = f"{format_length(sufficient_size)}, twice the search size 2 sqrt(2 R sigma²/m)"
+    size = format_length(sufficient_size)
+    goal = f"{size}, twice the search size 2 sqrt(2 R sigma²/m) of single scans"
     if large:
         group = min(large, key=lambda group: (group[0].size, -len(group), group[0].pixel_size))
         reason = f"the smallest of at least {goal}"

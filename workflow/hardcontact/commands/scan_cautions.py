@@ -117,9 +117,10 @@ def _contact_cautions(
             is_untested = size < SMALLEST_SIZE_RATIO * search_size
             yield (
                 f"{surface}: the sphere finds its highest summits within some "
-                f"{format_length(search_size)}. Scans of {LARGE_SIZE_RATIO:g} times this size are "
-                f"large enough, these are {format_length(size)} wide: forces come out {low:g} to "
-                f"{high:g} times too high{source if is_untested else ''}"
+                f"{format_length(search_size)}, estimated from single scans. Scans of "
+                f"{LARGE_SIZE_RATIO:g} times this size are large enough, these are "
+                f"{format_length(size)} wide: forces come out {low:g} to {high:g} times too high"
+                f"{source if is_untested else ''}"
             )
 
 
