@@ -242,6 +242,19 @@ def test_unusual_quantities_are_questioned(files):
         hc.force_ratios(scan, {"short": [50, 100]}, rho=56.0, **SPHERE, **LOAD, **ARRAY)
 
 
+def test_the_spectrum_warns_of_filled_pixels_and_of_cautions(files):
+    heights = random_map(generator(3), 128, PIXEL_SIZE).heights / 4
+    heights[60, 60] += 200.0  # a spike
+    heights[3, 4:6] = np.nan
+    np.savetxt("holed.txt", heights)
+    with pytest.warns(UserWarning) as caught:
+        hc.read_spectrum("holed.txt", unit="nm", map_size=1280.0)
+    messages = [str(warning.message) for warning in caught]
+    assert "holed.txt: 2 undefined pixels filled" in messages and len(messages) == 2
+    assert_says(messages[0], "holed.txt: ", "of its pixels are spikes")
+    assert {warning.filename for warning in caught} == {__file__}
+
+
 HOLED = np.ma.masked_greater(np.random.default_rng(1).normal(size=(32, 32)), 3)
 MAP_WITH_HOLES = Topography(HOLED, (320, 320), unit="nm")
 #: Function, faulty values among valid arguments, and parts of the refusal.

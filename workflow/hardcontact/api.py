@@ -4,9 +4,10 @@ They compute as the study and its commands do. Lengths and heights are in nm, wa
 forces in N, works of adhesion in J/m², pressures in Pa. Each function raises ValueError if its
 input is invalid, with one line for each fault; only `metrics` and `measured_psds` do not check
 their map. Functions of a contact warn if one of its quantities is unusual, because the unit may be
-wrong.
+wrong. `read_spectrum` warns of what may be wrong with its scans.
 """
 
+import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -39,7 +40,7 @@ from hardcontact.inference.forces_on_masters import Filters, add_force_ratios, f
 from hardcontact.own.own_spectrum import OwnSpectrum, read_own_spectrum, spectrum_of_map
 from hardcontact.own.scan_force import prediction_and_scan_force
 from hardcontact.scans import reading
-from hardcontact.scans.heights import RefusedFile, map_fields, unit_in_nm
+from hardcontact.scans.heights import RefusedFile, map_fields, split_notes, unit_in_nm
 from hardcontact.scans.joined_spectrum import ScanSpectrum
 from hardcontact.surfaces.height_map import HeightMap, refuse_line_scan
 from hardcontact.surfaces.levelling import remove_form
@@ -176,7 +177,8 @@ def read_spectrum(
 ) -> Spectrum:
     """Return the spectrum C_iso of one surface, from a table or from scans.
 
-    The spectra of several scans are joined at their reliable wavelengths.
+    The spectra of several scans are joined at their reliable wavelengths. The function warns of
+    filled pixels, and of each caution that ``hardcontact predict`` prints on the files.
 
     Parameters
     ----------
@@ -210,9 +212,16 @@ def read_spectrum(
     )
     options = reading.ReadingOptions(tip_radius, unit, map_size, levelling, mask, undefined_pixels)
     with arguments_in_messages():
-        spectrum = read_own_spectrum(
+        own_spectrum = read_own_spectrum(
             files, options, dataset=dataset, sphere_radius=sphere_radius
-        ).spectrum
+        )
+    _, cautions = split_notes(own_spectrum.notes)
+    for scan in own_spectrum.scans:
+        if scan.undefined_count:
+            cautions.append(f"{scan.name}: {scan.undefined_count} undefined pixels filled")
+    for caution in cautions:
+        warnings.warn(caution, stacklevel=2)
+    spectrum = own_spectrum.spectrum
     if extrapolated and isinstance(spectrum, ScanSpectrum):
         return spectrum.extrapolated()
     return spectrum
