@@ -1,14 +1,22 @@
 """The contact pixels of rigid and plastic (bearing area) contact: the N smallest reference gaps.
 
-A reference gap is the gap if the apex of the sphere is at the height 0 (`geometry`). The N smallest
-gaps are found without reading all pixels:
+A reference gap is the gap if the apex of the sphere is at the height 0 (`geometry`). The map is cut
+into square cells, and has square groups of cells. No gap in a cell is smaller than its bound: the
+lowest height of the sphere above the cell, less the highest point of the cell. Groups have bounds,
+too. If N gaps up to a limit are known, no gap in contact is larger than the limit, so cells with a
+higher bound need not be read. For each contact,
 
-1. The map is cut into square cells. No gap in a cell is smaller than its bound: the lowest height
-   of the sphere above the cell, less the highest point of the cell. Groups of cells have bounds.
-2. A few cells of the lowest bounds are read. The N-th smallest of their gaps is a limit: no gap in
-   contact is larger, because N gaps up to it are known.
-3. All other cells with a bound up to the limit are read, and no others. Their N smallest gaps are
-   those of the contact.
+1. the groups of lowest bounds are taken, as few as have N pixels;
+2. of their cells, a few of lowest bounds are read. The N-th smallest of these gaps is the first
+   limit;
+3. all cells are listed whose bound, and whose group's bound, is at most the first limit;
+4. of these, a few of lowest bounds are read. If the N-th smallest of these gaps is lower than the
+   first limit, it is the second limit, else both are equal;
+5. all listed cells whose bound is at most the second limit are read, in batches. The N smallest of
+   their gaps are those of the contact.
+
+For 1074 contact pixels on a self-affine map of 8192 x 8192 pixels, for example, steps 2, 4 and 5
+read 4, 4 and about 8 of 65 536 cells.
 """
 
 from dataclasses import dataclass
@@ -100,14 +108,14 @@ class WindowCells(NamedTuple):
     """Cells in the windows of contacts, ordered by contact."""
 
     contact_numbers: NDArray[np.int_]  #: (k,) index of the contact of each cell.
-    row: NDArray[np.int_]  #: (k,) row of the cell within the window.
-    column: NDArray[np.int_]  #: (k,) column of the cell within the window.
+    cell_row: NDArray[np.int_]  #: (k,) row of cells within the window.
+    cell_column: NDArray[np.int_]  #: (k,) column of cells within the window.
     bounds: Floats  #: (k,) lower bound in nm on the reference gaps of the cell.
 
     def select(self, index: slice | NDArray[np.int_] | NDArray[np.bool_]) -> "WindowCells":
         """Return the cells at an index."""
-        contact_numbers, row, column, bounds = self
-        return WindowCells(contact_numbers[index], row[index], column[index], bounds[index])
+        number, cell_row, cell_column, bounds = self
+        return WindowCells(number[index], cell_row[index], cell_column[index], bounds[index])
 
     def cells_within(self, gap_limits: Floats) -> "WindowCells":
         """Return the cells whose bounds are at most the limits (contact,) in nm."""
@@ -158,30 +166,32 @@ class _Windows:
     ) -> WindowCells:
         """Return the cells of groups, given by the numbers (k,) of contact and group."""
         group_row, group_column = np.divmod(groups, self.sphere_minima.shape[-1] // GROUP_CELLS)
-        row = (group_row[:, None] * GROUP_CELLS + np.arange(GROUP_CELLS))[:, :, None]
-        column = (group_column[:, None] * GROUP_CELLS + np.arange(GROUP_CELLS))[:, None, :]
+        cell_row = (group_row[:, None] * GROUP_CELLS + np.arange(GROUP_CELLS))[:, :, None]
+        cell_column = (group_column[:, None] * GROUP_CELLS + np.arange(GROUP_CELLS))[:, None, :]
         number = contact_numbers[:, None, None]
-        bounds = self.sphere_minima[number, 0, row] + self.sphere_minima[number, 1, column]
+        bounds = (
+            self.sphere_minima[number, 0, cell_row] + self.sphere_minima[number, 1, cell_column]
+        )
         bounds -= self.substrate_cells.maxima[
-            self.index[number, 0, row], self.index[number, 1, column]
+            self.index[number, 0, cell_row], self.index[number, 1, cell_column]
         ]
         if self.sphere_roughness is not None and self.roughness_maxima is not None:
             sphere_cells = self.offset % self.sphere_roughness.pixels // CELL_PIXELS
             bounds -= self.roughness_maxima[
-                sphere_cells[number, 0, row], sphere_cells[number, 1, column]
+                sphere_cells[number, 0, cell_row], sphere_cells[number, 1, cell_column]
             ]
-        number, row, column = np.broadcast_arrays(number, row, column)
-        return WindowCells(number.ravel(), row.ravel(), column.ravel(), bounds.ravel())
+        number, cell_row, cell_column = np.broadcast_arrays(number, cell_row, cell_column)
+        return WindowCells(number.ravel(), cell_row.ravel(), cell_column.ravel(), bounds.ravel())
 
     def cell_gaps(self, cells: WindowCells) -> tuple[Floats, NDArray[np.int_], NDArray[np.int_]]:
         """Return the reference gaps (k, y, x) of cells (k,), infinite outside the window.
 
         Also returns the offsets of their rows (k, y) and columns (k, x) from the apex.
         """
-        number, row, column, _ = cells
-        y = self.offset[number, 0, row][:, None] + np.arange(CELL_PIXELS)
-        x = self.offset[number, 1, column][:, None] + np.arange(CELL_PIXELS)
-        cell_y, cell_x = self.index[number, 0, row], self.index[number, 1, column]
+        number, cell_row, cell_column, _ = cells
+        y = self.offset[number, 0, cell_row][:, None] + np.arange(CELL_PIXELS)
+        x = self.offset[number, 1, cell_column][:, None] + np.arange(CELL_PIXELS)
+        cell_y, cell_x = self.index[number, 0, cell_row], self.index[number, 1, cell_column]
         gaps: Floats = self._sphere_in_window(y)[:, :, None] + self._sphere_in_window(x)[:, None, :]
         gaps -= self.substrate_cells.heights[cell_y, :, cell_x, :]
         if self.sphere_roughness is not None:
@@ -196,27 +206,34 @@ class _Windows:
 
 
 def _find_contact_pixels(windows: _Windows, contact_pixel_count: int) -> list[ContactPixels]:
-    """Return the contact pixels of each contact; equal gaps come in the order of their offsets."""
-    # The groups of lowest bounds that together have enough pixels give first limits.
+    """Return the contact pixels of each contact; equal gaps come in the order of their offsets.
+
+    The numbered steps are those of the module's docstring.
+    """
+    # 1. The groups of lowest bounds together have enough pixels.
     group_bounds = windows.group_bounds()
     cell_count = -(-contact_pixel_count // CELL_PIXELS**2)
-    best_groups = _lowest_columns(group_bounds, -(-cell_count // GROUP_CELLS**2))
+    best_groups = _lowest_bounds(group_bounds, -(-cell_count // GROUP_CELLS**2))
     group_contacts = np.repeat(np.arange(len(best_groups)), best_groups.shape[1])
     cells_of_best_groups = windows.cells_of_groups(group_contacts, best_groups.ravel())
+    # 2. Of their cells, those of lowest bounds give the first limits.
     first_limits = _limits_of_gaps(windows, cells_of_best_groups, contact_pixel_count)
-    low_groups = np.nonzero(group_bounds <= first_limits[:, None])
-    low_cells = windows.cells_of_groups(*low_groups).cells_within(first_limits)
-    # Cells of lower bounds, from all groups, give lower limits.
-    gap_limits = np.minimum(first_limits, _limits_of_gaps(windows, low_cells, contact_pixel_count))
-    cells = low_cells.cells_within(gap_limits)
+    # 3. All groups up to the first limits are listed, and of these all such cells.
+    listed_groups = np.nonzero(group_bounds <= first_limits[:, None])
+    listed_cells = windows.cells_of_groups(*listed_groups).cells_within(first_limits)
+    # 4. The listed cells of lowest bounds give the second limits.
+    second_limits = _limits_of_gaps(windows, listed_cells, contact_pixel_count)
+    second_limits = np.minimum(first_limits, second_limits)
+    # 5. The listed cells up to the second limits are read in batches.
+    cells = listed_cells.cells_within(second_limits)
     gaps_of_batches = [
-        _gaps_up_to(windows, cells.select(slice(start, start + CELLS_AT_ONCE)), gap_limits)
+        _gaps_up_to(windows, cells.select(slice(start, start + CELLS_AT_ONCE)), second_limits)
         for start in range(0, len(cells.contact_numbers), CELLS_AT_ONCE)
     ]
     contact_numbers, gaps, offsets = (
         np.concatenate(arrays) for arrays in zip(*gaps_of_batches, strict=True)
     )
-    ends = np.searchsorted(contact_numbers, np.arange(1, len(gap_limits)))
+    ends = np.searchsorted(contact_numbers, np.arange(1, len(second_limits)))
     contact_pixels = []
     for low_gaps, low_offsets in zip(np.split(gaps, ends), np.split(offsets, ends), strict=True):
         order = np.lexsort((low_offsets[:, 1], low_offsets[:, 0], low_gaps))[:contact_pixel_count]
@@ -233,7 +250,7 @@ def _limits_of_gaps(windows: _Windows, cells: WindowCells, contact_pixel_count: 
     cell_count = LIMIT_CELL_FACTOR * -(-contact_pixel_count // CELL_PIXELS**2)
     cell_count = min(cell_count, np.diff(ends).min())
     best_cells = [
-        start + _lowest_columns(cells.bounds[None, start:end], cell_count)[0]
+        start + _lowest_bounds(cells.bounds[None, start:end], cell_count)[0]
         for start, end in pairwise(ends.tolist())
     ]
     gaps, _, _ = windows.cell_gaps(cells.select(np.concatenate(best_cells)))
@@ -243,8 +260,8 @@ def _limits_of_gaps(windows: _Windows, cells: WindowCells, contact_pixel_count: 
     return np.partition(gaps, contact_pixel_count - 1, axis=1)[:, contact_pixel_count - 1]
 
 
-def _lowest_columns(bounds: Floats, count: int) -> NDArray[np.int_]:
-    """Return the indices (row, count or all) of the lowest bounds (row, column)."""
+def _lowest_bounds(bounds: Floats, count: int) -> NDArray[np.int_]:
+    """Return the indices (contact, count or all) of the lowest of bounds (contact, k)."""
     count = min(count, bounds.shape[1])
     return np.argpartition(bounds, count - 1, axis=1)[:, :count]
 
