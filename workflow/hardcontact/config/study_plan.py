@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 from hardcontact.config.configuration import is_paper_study, study_contact
 from hardcontact.config.selected_surfaces import Selection
+from hardcontact.surfaces.synthesis import master_scan_index
 
 #: Minimum number of positions on a rough sphere that touch each surface of the user. With 16 an
 #: interval is 1.1 times as wide as with many positions; each position costs computing time.
@@ -42,9 +43,8 @@ class StudyPlan:
     @property
     def substrate_scan_ids(self) -> list[ScanId]:
         """The scans with contacts of all substrates."""
-        return [
-            scan_id for scan_id in self.scan_ids if scan_id.surface != self.selection.sphere_surface
-        ]
+        sphere = self.selection.sphere_surface
+        return [scan_id for scan_id in self.scan_ids if scan_id.surface != sphere]
 
     @property
     def measured_scan_ids(self) -> list[ScanId]:
@@ -80,7 +80,7 @@ class StudyPlan:
         is_measured = surface in self.selection.measured_surfaces
         if realization > len(numbers) and is_paper_study(self.study) and not is_measured:
             return max(numbers) + realization - len(numbers)
-        return numbers[(realization - 1) % len(numbers)]
+        return numbers[master_scan_index(realization, len(numbers))]
 
     def sphere_radius(self, surface: str) -> float | None:
         """Return the radius (nm) to subtract from scans of the sphere, None for other surfaces."""
@@ -104,9 +104,8 @@ class StudyPlan:
         """Return a substrate's scan, and the sphere's scan if its roughness is added."""
         scan_ids = [ScanId(surface, scan)]
         if surface in self.combined_surfaces:
-            scan_ids.append(
-                ScanId(self.selection.sphere_surface, self.sphere_scan_number(surface, scan))
-            )
+            sphere_scan = self.sphere_scan_number(surface, scan)
+            scan_ids.append(ScanId(self.selection.sphere_surface, sphere_scan))
         return scan_ids
 
     def sphere_scan_number(self, surface: str, scan: int) -> int:

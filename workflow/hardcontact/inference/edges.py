@@ -294,7 +294,8 @@ def edges_of_shared_scans(
 
 def _ratios_of_masters(master_forces: MasterForces, confidence: float) -> xr.Dataset:
     """Return the force ratios of one surface and side, with intervals and their source."""
-    half_width = half_width_over_masters(master_forces, truediv, "log_ratio_shift", confidence)
+    shifts = master_forces.forces.get("log_ratio_shift")
+    half_width = half_width_over_masters(master_forces, truediv, shifts, confidence)
     ratio = master_forces.forces.filtered_force_ratio.mean("realization").values
     interval = logarithmic_interval(ratio, half_width)
     return xr.Dataset(

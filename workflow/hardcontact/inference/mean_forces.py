@@ -23,6 +23,7 @@ from hardcontact.inference.scan_parts import (
     parts_of_scans,
     quarters_of_contacts,
 )
+from hardcontact.surfaces.synthesis import master_scan_index
 
 #: Largest half width of the interval of a logarithm: more than a factor of 1000 is of no use.
 MAX_BOUNDED_HALF_WIDTH = float(np.log(1e3))
@@ -126,7 +127,7 @@ def logarithmic_interval(value: Floats, log_half_width: Floats) -> Floats:
 
 
 class MasterScans(NamedTuple):
-    """The scans of masters: realization r uses scan (r - 1) modulo the number of scans."""
+    """The scans of masters, which take them in turn (`surfaces.synthesis.master_scan_index`)."""
 
     scan_counts: Mapping[str, int]  #: By surface.
     tiles: int  #: Mirrored scans per row of a long-edge master.
@@ -153,8 +154,9 @@ def select_masters(
     forces = filtered_forces.sel(surface=surface, side=side).dropna(
         "realization", how="all", subset=["filtered_force_ratio"]
     )
+    scan_count = master_scans.scan_counts[surface]
     scan_parts = parts_of_scans(
-        (forces.realization.values - 1) % master_scans.scan_counts[surface],
+        np.array([master_scan_index(number, scan_count) for number in forces.realization.values]),
         quarters_of_contacts(forces.sizes["contact_y"], tiles),
         master_size / master_scans.tiles,  # the width of a tile, which is a mirrored scan
         float(np.sqrt(filtered_forces.attrs["sphere_radius"] * filtered_forces.attrs["rho"])),
@@ -178,19 +180,20 @@ def summarize_masters(
 def half_width_over_masters(
     master_forces: MasterForces,
     statistic: Callable[[xr.DataArray, xr.DataArray], xr.DataArray],
-    shift_name: str,
+    shifts: xr.DataArray | None,
     confidence: float,
 ) -> Floats:
     """Return the half width (...) of the interval of the logarithm of a statistic over masters.
 
     The statistic (realization, ...) is a function of the filtered and unfiltered mean forces, such
-    as their ratio. Up to three independent variances of the logarithm add:
+    as their ratio. `shifts` (realization, ...) are the changes of its logarithm on masters of
+    sampled spectra (`forces_on_masters.add_spectrum_shifts`), None if no spectra are sampled. Up to
+    three independent variances of the logarithm add:
 
     1. other scans: the jackknife over parts of the scans;
     2. other random numbers on the same scans: the scatter over realizations. Only quarters miss
        it; among scans the jackknife contains it, because each scan has its own random numbers;
-    3. another spectrum within its uncertainty: the shifts on masters of sampled spectra, of the
-       variable `shift_name` (`forces_on_masters.add_spectrum_shifts`), if there are any.
+    3. another spectrum within its uncertainty: the mean square of the shifts, if there are any.
     """
     forces, scan_parts = master_forces
 
@@ -201,16 +204,13 @@ def half_width_over_masters(
         return statistic(filtered, unfiltered).transpose("realization", ...)
 
     delete_one_log_means = delete_one_logarithms(
-        scan_parts,
-        "realization",
-        lambda kept_contacts: contact_statistic(kept_contacts).mean("realization"),
+        scan_parts, "realization", lambda kept: contact_statistic(kept).mean("realization")
     )
     variances = [jackknife_variance(delete_one_log_means, scan_parts)]
     count = forces.sizes["realization"]
     if scan_parts.are_quarters and count > 1:
         logarithms = np.log(contact_statistic(xr.DataArray(True)).values)
         variances.append(Variance(logarithms.var(axis=0, ddof=1) / count, count - 1))
-    shifts = forces.get(shift_name)
     if shifts is not None and shifts.notnull().any():
         # A shift is the change of the logarithm by one sampled spectrum; shifts scatter about zero.
         variances.append(Variance((shifts**2).mean("realization").values, count))

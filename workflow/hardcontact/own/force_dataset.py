@@ -177,9 +177,8 @@ def _find_extrapolated_forces(
     def summary(master_forces: MasterForces) -> xr.Dataset:
         """Return the extrapolated force of one surface and side."""
         force = work * master_forces.forces.unfiltered_pull_off_force.mean().values
-        half_width = half_width_over_masters(
-            master_forces, _unfiltered_force, "log_unfiltered_force_shift", confidence
-        )
+        shifts = master_forces.forces.get("log_unfiltered_force_shift")
+        half_width = half_width_over_masters(master_forces, _unfiltered_force, shifts, confidence)
         interval = logarithmic_interval(force, half_width)
         return xr.Dataset(
             as_variables("extrapolated_force", (), force, interval, NEWTON, confidence)

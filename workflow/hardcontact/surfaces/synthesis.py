@@ -94,6 +94,14 @@ def add_sphere_shape(rng: np.random.Generator, roughness: HeightMap, radius: flo
     return replace(roughness, heights=roughness.heights - (y[:, None] ** 2 + x**2) / (2 * radius))
 
 
+def master_scan_index(realization: int, scan_count: int) -> int:
+    """Return the index of the scan of a master: realizations from 1 take scans from 0 in turn.
+
+    With three scans, realizations 1 to 4 take the scans 0, 1, 2 and 0.
+    """
+    return (realization - 1) % scan_count
+
+
 def short_edge_master(
     rng: np.random.Generator,
     mirrored: HeightMap,
