@@ -60,7 +60,7 @@ class _MeanBins(NamedTuple):
     """The mean of all scans in each bin; NaN in bins in which no scan is reliable."""
 
     density: Floats  #: (bins,) C_iso in nm⁴ from the mean of ln C, without its bias.
-    variance: Floats  #: (bins,) variance of ln C, from the number of modes alone.
+    mode_variance: Floats  #: (bins,) variance of ln C, because modes are few.
     arithmetic_mean: Floats  #: (bins,) C_iso in nm⁴, the mean of C itself.
     is_peak: NDArray[np.bool_]  #: (bins,) True where a grating, for example, adds power.
 
@@ -70,7 +70,7 @@ class _Curve(NamedTuple):
 
     wavevector: Floats  #: rad/nm.
     density: Floats  #: C_iso in nm⁴.
-    variance: Floats  #: Variance of ln C, with that of the calibration.
+    total_variance: Floats  #: Variance of ln C: mode variance plus that of the calibration.
 
 
 def _mean_bins(reliable: NDArray[np.bool_], density: Floats, modes: Floats) -> _MeanBins:
@@ -78,22 +78,24 @@ def _mean_bins(reliable: NDArray[np.bool_], density: Floats, modes: Floats) -> _
 
     The mean of ln C serves the smooth curve, because the scatter of ln C depends on the number of
     modes alone. The arithmetic mean of C keeps the variance of heights. In each bin a scan has the
-    weight 1/variance of its ln C: the more modes it has there, the smaller is this variance, but
-    that of its calibration remains.
+    weight 1/variance of its ln C: the more modes it has there, the smaller is the mode variance,
+    but the variance of its calibration remains.
     """
-    mode_variance = variance_of_log(modes)
-    weight = np.where(reliable, 1 / (mode_variance + CALIBRATION_SCATTER**2), 0.0)
+    scan_mode_variance = variance_of_log(modes)
+    weight = np.where(reliable, 1 / (scan_mode_variance + CALIBRATION_SCATTER**2), 0.0)
     log_density = np.where(reliable, np.log(density) + bias_of_log(modes), 0.0)
     with np.errstate(divide="ignore", invalid="ignore"):
         weight = weight / weight.sum(axis=0)
-    variance = (weight**2 * mode_variance).sum(axis=0)
+    mode_variance = (weight**2 * scan_mode_variance).sum(axis=0)
     arithmetic_mean = (weight * np.where(reliable, density, 0.0)).sum(axis=0)
     mean_density = np.exp((weight * log_density).sum(axis=0))
-    is_peak = _find_peaks(mean_density, variance, arithmetic_mean)
-    return _MeanBins(mean_density, variance, arithmetic_mean, is_peak)
+    is_peak = _find_peaks(mean_density, mode_variance, arithmetic_mean)
+    return _MeanBins(mean_density, mode_variance, arithmetic_mean, is_peak)
 
 
-def _find_peaks(density: Floats, variance: Floats, arithmetic_mean: Floats) -> NDArray[np.bool_]:
+def _find_peaks(
+    density: Floats, mode_variance: Floats, arithmetic_mean: Floats
+) -> NDArray[np.bool_]:
     """Return the mask (bins,) of peaks: more power than a smooth spectrum has by chance.
 
     A smooth curve through `density` gives the mean that each bin should have. A mean over n modes,
@@ -103,10 +105,10 @@ def _find_peaks(density: Floats, variance: Floats, arithmetic_mean: Floats) -> N
     far, until a round finds none.
     """
     inner = np.flatnonzero(np.isfinite(density))[1:-1]  # The curve must reach both end bins.
-    modes = 1 / variance[inner] + 0.5  # inverts the variance, trigamma(n) ≈ 1/(n - 0.5)
+    modes = 1 / mode_variance[inner] + 0.5  # inverts the variance, trigamma(n) ≈ 1/(n - 0.5)
     is_peak = np.zeros(len(density), bool)
     while True:
-        curve = smooth_curve(np.where(is_peak, np.nan, density), variance)
+        curve = smooth_curve(np.where(is_peak, np.nan, density), mode_variance)
         smooth_density = Spectrum(curve.wavevector, curve.density)(BIN_CENTRES[inner])
         probability = scipy.special.gammaincc(
             modes, modes * arithmetic_mean[inner] / smooth_density
@@ -118,13 +120,13 @@ def _find_peaks(density: Floats, variance: Floats, arithmetic_mean: Floats) -> N
 
 
 def smooth_curve(
-    density: Floats, variance: Floats, rng: np.random.Generator | None = None
+    density: Floats, mode_variance: Floats, rng: np.random.Generator | None = None
 ) -> _Curve:
     """Return a smooth curve through bins and across gaps; with `rng`, a random such curve.
 
-    C_iso (bins,) is NaN in gaps, `variance` is of ln C. The curve f should lie near ln C, but bend
-    little. A bend is the change of the slope df/d ln q from one bin to the next, and has the
-    standard deviation `bend_std`. With weight = 1/variance, or 0 in gaps, f minimizes
+    C_iso (bins,) is NaN in gaps. The curve f should lie near ln C, but bend little. A bend is the
+    change of the slope df/d ln q from one bin to the next, and has the standard deviation
+    `bend_std`. With weight = 1/mode_variance, or 0 in gaps, f minimizes
 
         sum(weight * (ln C - f)²) + sum((scaled_bends @ f)²),
 
@@ -137,7 +139,7 @@ def smooth_curve(
     """
     finite = np.flatnonzero(np.isfinite(density))
     measured_span = slice(finite[0], finite[-1] + 1)
-    weight = np.where(np.isfinite(density), 1 / variance, 0.0)[measured_span]
+    weight = np.where(np.isfinite(density), 1 / mode_variance, 0.0)[measured_span]
     count = len(weight)
     bend_std = SLOPE_CHANGE * np.sqrt(BIN_WIDTH / np.log(10))
     # A matrix (count - 2, count): its product with a curve is the bends over `bend_std`.
@@ -149,16 +151,17 @@ def smooth_curve(
         # The prior curve has random bends. Noisy values of it differ from the measured ln C. The
         # smooth curve through the differences, added to the prior curve, gives the sample.
         prior_curve = BIN_WIDTH * np.cumsum(np.cumsum(bend_std * rng.standard_normal(count)))
-        noise_std = np.where(weight > 0, np.sqrt(variance[measured_span]), 0.0)
+        noise_std = np.where(weight > 0, np.sqrt(mode_variance[measured_span]), 0.0)
         log_density = log_density - prior_curve - noise_std * rng.standard_normal(count)
     smooth = np.exp(prior_curve + covariance @ (weight * log_density))
-    return _Curve(BIN_CENTRES[measured_span], smooth, np.diag(covariance) + CALIBRATION_SCATTER**2)
+    total_variance = np.diag(covariance) + CALIBRATION_SCATTER**2
+    return _Curve(BIN_CENTRES[measured_span], smooth, total_variance)
 
 
 def _smooth_between_peaks(mean_bins: _MeanBins, rng: np.random.Generator | None = None) -> _Curve:
     """Return a smooth curve through the bins without a peak; peaks keep their power."""
     is_peak = mean_bins.is_peak
-    curve = smooth_curve(np.where(is_peak, np.nan, mean_bins.density), mean_bins.variance, rng)
+    curve = smooth_curve(np.where(is_peak, np.nan, mean_bins.density), mean_bins.mode_variance, rng)
     is_in_curve = np.isin(BIN_CENTRES, curve.wavevector)
     density = np.where(is_peak[is_in_curve], mean_bins.arithmetic_mean[is_in_curve], curve.density)
     return curve._replace(density=density)
@@ -170,19 +173,20 @@ def _match_height_variance(curve: _Curve, arithmetic_mean: Floats) -> _Curve:
     A smooth curve has the mean of ln C, but its C_iso need not have the measured mean. So ln C of
     each bin changes by multiplier * log_changes, where
 
-        log_changes = variance of ln C * share of the bin in the variance of heights,
+        log_changes = mode variance of ln C * share of the bin in the variance of heights,
 
-    and one multiplier serves all bins: uncertain bins with much power change most. If errors of
-    bins were independent and the change small, no curve with this variance of heights would be more
-    likely. Gaps, in which the mean is NaN, neither count nor change.
+    and one multiplier serves all bins: uncertain bins with much power change most. The variance of
+    the calibration is left out, because the calibration changes all bins of a scan alike. If errors
+    of bins were independent and the change small, no curve with this variance of heights would be
+    more likely. Gaps, in which the mean is NaN, neither count nor change.
     """
-    wavevector, density, variance = curve
+    wavevector, density, total_variance = curve
     mean_in_curve = arithmetic_mean[np.isin(BIN_CENTRES, wavevector)]
     # Bins are equally wide in ln q, so the variance of heights is the sum of q² C_iso, up to a
     # factor.
     height_variance = np.nansum(mean_in_curve * wavevector**2)
     share = np.where(np.isfinite(mean_in_curve), density * wavevector**2 / height_variance, 0.0)
-    log_changes = (variance - CALIBRATION_SCATTER**2) * share
+    log_changes = (total_variance - CALIBRATION_SCATTER**2) * share
 
     def relative_excess(multiplier: float) -> float:
         """Return the excess of the curve's variance of heights, relative to what it should be."""
@@ -313,9 +317,9 @@ def _sample_reliable_band(
 
 
 def _fit_hurst_without_peaks(mean_bins: _MeanBins) -> HurstFit:
-    density, variance, _, is_peak = mean_bins
+    density, mode_variance, _, is_peak = mean_bins
     is_fitted = np.isfinite(density) & ~is_peak
-    return fit_hurst_exponent(BIN_CENTRES[is_fitted], density[is_fitted], variance[is_fitted])
+    return fit_hurst_exponent(BIN_CENTRES[is_fitted], density[is_fitted], mode_variance[is_fitted])
 
 
 def _extrapolate_curve(
