@@ -1,4 +1,51 @@
-"""One number with unit, interval, status and source, as pages, files and programs use it."""
+"""One number with unit, interval, status and source, as pages, files and programs use it.
+
+The status says what is known of a number, the source where it comes from. Both are codes. Files
+have the codes: answer.json has both, `hardcontact predict --json` the status. Pages have words.
+
+Statuses. A number has a status of one of the classes in its row, or of NumberStatus:
+
+    in answers (pages: report/templates/number_words.yaml)
+    edge                    inference.edges.EdgeStatus: open_above "at least", open_below "at most",
+                            ripples "none: the filter's ripples ..."
+    edge, force             inference.scan_parts.IntervalSource: few_patches "not bounded: ..."
+    without a value         report.quantities.NoValue: no_band "not found", no_hindcast and
+                            no_exponent "not answered", no_agreement "none agrees", one_force
+    tabor_parameter         contact.hertz_jkr_dmt.Elasticity
+    any                     NumberStatus: no_interval "not bounded by these scans"
+
+    in predictions (text: commands/predict.txt)
+    force, edges            theory.validity.Validity, inference.edges.EdgeStatus: found, none
+    checks, limits, changes theory.prediction.Effect, theory.validity.Validity
+    weibull_modulus         theory.closed_form.Regime
+    extrapolated_hurst      scans.extrapolation.TailEnd
+    tabor_parameter         contact.hertz_jkr_dmt.Elasticity
+    force_on_scan           own.scan_contact.Obstacle, inference.scan_parts.IntervalSource
+    closed_form_on_scan     own.scan_force.ClosedFormStatus
+    search_size             own.scan_force.ScanSize
+    contact and modulus     commands.predict.QuantityStatus
+
+Sources, with the words for them on pages (own_part.html). Pages print the code `unreliable` as
+"extrapolated". The code `extrapolated` marks other numbers: forces and works of adhesion with
+artificial roughness, and the Hurst exponent and roll-off of the extrapolated spectrum.
+
+    computed                "computed": all numbers of no other source
+    measured                "measured": a measured force, or an edge that rests on measured
+                            roughness; for a substitute "published statistics"
+    from_measured           "measured over computed force": computed from measured forces
+    unreliable              "extrapolated": an edge where no scan is reliable, or a number of which
+                            over 90 % come from there
+    partly_unreliable       "partly extrapolated": 10 to 90 % come from unreliable wavelengths
+    interval_unreliable     "measured; interval partly extrapolated": an edge of which only the
+                            interval reaches unreliable wavelengths
+    extrapolated            "artificial roughness below ..." or "above": see the last sentence
+    artificial              "artificial roughness": an edge of the paper's study in artificial
+                            roughness, or a ratio of such edges
+    published               no word: a number of the paper
+    given                   no word: a key of the configuration, or a constant of the program
+    assumed                 no word: a key with the paper's value, because the user gave none
+    file                    no word: a property of the file of a scan
+"""
 
 import math
 from enum import StrEnum
@@ -6,7 +53,7 @@ from typing import Any, Literal, NamedTuple
 
 
 class NumberStatus(StrEnum):
-    """Codes of `Number.status` for any quantity; other modules have those of a single quantity."""
+    """Codes of `Number.status` for any number; the table above names the classes of the others."""
 
     PLAIN = ""  #: Nothing to add. In JSON KNOWN or NOT_KNOWN replaces it.
     KNOWN = "known"  #: The value is finite.
@@ -17,17 +64,7 @@ class NumberStatus(StrEnum):
     NO_INTERVAL = "no_interval"
 
 
-#: Codes for the origin of a number, besides `computed` and `published`:
-#: - measured: a measured force, or an edge that rests on measured roughness;
-#: - from_measured: computed from measured forces;
-#: - extrapolated: with roughness beyond the reliable wavelengths;
-#: - artificial: an edge of the paper's study in artificial roughness, or a ratio of such edges;
-#: - unreliable: an edge where no scan is reliable, or a number of which over 90 % come from there;
-#: - partly_unreliable: a number of which 10 to 90 % come from unreliable wavelengths;
-#: - interval_unreliable: an edge of which only the interval reaches unreliable wavelengths;
-#: - given: a key of the configuration, or a constant of the program;
-#: - assumed: a key with the paper's value, because the user gave none;
-#: - file: a property of the file of a scan.
+#: Codes for the origin of a number: see the table above.
 NumberSource = Literal[
     "computed", "measured", "from_measured", "extrapolated", "artificial", "unreliable",
     "partly_unreliable", "interval_unreliable", "published", "given", "assumed", "file",
@@ -43,7 +80,7 @@ class Number(NamedTuple):
     low: float = math.nan
     high: float = math.nan
     status: StrEnum = NumberStatus.PLAIN  #: What is known, such as why there is no interval.
-    source: NumberSource = "computed"
+    source: NumberSource = "computed"  #: Where the number comes from.
 
     def __repr__(self) -> str:
         """Return the number in one line."""
