@@ -99,7 +99,7 @@ def test_the_headline_explains_an_undecided_long_edge_of_artificial_roughness(
     rows = change_claim("long_edge_first", verdict=verdict, computed=edge)
     (line,) = [line for line in answer(rows)["headline"] if line.startswith("Long edge")]
     assert line.startswith(f"Long edge, {verdict}: ")
-    assert ("It rests on chance" in line) == explained
+    assert ("This edge rests on chance" in line) == explained
     assert ("is likely too long" in line) == explained
 
 

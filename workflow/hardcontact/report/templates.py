@@ -5,7 +5,7 @@ import hashlib
 import math
 import re
 import subprocess
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -70,16 +70,25 @@ def render_template(template: str, **facts: Any) -> str:
 
 def render_lines(template: str, **facts: Any) -> list[str]:
     """Return the lines of a template that are not empty, as plain text."""
-    text = render_template(template, **facts)
-    lines = [Markup(line).striptags() for line in text.splitlines()]
-    return [line for line in lines if line]
+    return _plain_texts(render_template(template, **facts).splitlines())
+
+
+def render_paragraphs(template: str, **facts: Any) -> list[str]:
+    """Return the paragraphs of a template, which blank lines separate, each as plain text."""
+    return _plain_texts(render_template(template, **facts).split("\n\n"))
+
+
+def _plain_texts(texts: Iterable[str]) -> list[str]:
+    """Return texts without tags, each in one line; drop empty ones."""
+    plain_texts = [Markup(text).striptags() for text in texts]
+    return [text for text in plain_texts if text]
 
 
 def render_note(
     template: str, kind: str, code: str = "", surface: str = "", grave: bool = False, **facts: Any
 ) -> dict[str, Any]:
     """Return a note for answer.json, one paragraph; grave ones stand at the top of the page."""
-    text = " ".join(render_lines(template, **facts))
+    text = Markup(render_template(template, **facts)).striptags()
     # A comparison with an attribute of a dataset is a NumPy truth value, which JSON lacks.
     return {"surface": surface, "kind": kind, "code": code, "grave": bool(grave), "text": text}
 

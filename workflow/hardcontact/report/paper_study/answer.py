@@ -17,9 +17,10 @@ from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.octaves import strongest_octaves
 from hardcontact.paper.changed_inputs import changed_inputs, contact_inputs
 from hardcontact.paper.claims.verdicts import count_verdicts, find_open_end, interval_with_samples
+from hardcontact.report.paper_study.headline import headline_facts
 from hardcontact.report.paper_study.tables import claim_facts
 from hardcontact.report.quantities import all_quantities, number_of
-from hardcontact.report.templates import render_lines, render_note, substitutes_note
+from hardcontact.report.templates import render_note, render_paragraphs, substitutes_note
 
 #: Claims with numbers in the answer, by the names of these numbers.
 ANSWER_CLAIMS = {
@@ -73,9 +74,6 @@ def paper_answer(
     sets = datasets["sets"]
     facts = claim_facts(claims, sets.sizes["set"], sets.attrs["confidence"]) | {
         "numbers": numbers,
-        "coatings": [
-            {"label": labels[name], "numbers": coating_numbers[name]} for name in substrates
-        ],
         "substitutes": labels[sources == "substitute"].tolist(),
         "featured": datasets["features"].attrs["label"],
         "is_coarse": any(
@@ -84,6 +82,14 @@ def paper_answer(
         ),
         "changed": changed,
     }
+    edge = _edge_without_cause("plasticity_shift", datasets["edge_shifts"])
+    headline = headline_facts(
+        numbers,
+        {labels[name]: coating_numbers[name] for name in substrates},
+        {} if changed else facts["claims"],
+        facts["set_count"],
+    )
+    headline["edge_without_yielding"] = Number("edge_without_yielding", edge, "nm")
     notes = substitutes_note(facts["substitutes"])
     if facts["featured"]:
         notes.append(render_note("paper_features.txt", "features", **facts))
@@ -93,8 +99,8 @@ def paper_answer(
         "version": version,
         "effort": "quick" if facts["is_coarse"] else configuration["effort"],
         "kind": "paper",
-        "headline": render_lines("paper_headline.txt", **facts),
-        "verdicts": [] if changed else render_lines("paper_verdicts.txt", **facts),
+        "headline": render_paragraphs("paper_headline.txt", **facts, **headline),
+        "verdicts": [] if changed else render_paragraphs("paper_verdicts.txt", **facts),
         "contact": contact,
         "changed": changed,
         "assumed": [],
@@ -162,14 +168,19 @@ def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> l
         if name == edge_name and np.isnan(averaged_edges.sel(side=side).item()):
             status = OPEN_STATUSES[side]
     if name in EDGES_WITHOUT_CAUSE:  # A shift is artificial if this edge is.
-        model, index = EDGES_WITHOUT_CAUSE[name]
-        shifts = datasets["edge_shifts"].sel(side="short", group=MEAN_GROUP, contact_model=model)
-        edge_without_cause = shifts["edge"].sortby("rho").isel(rho=index).item()
-        source = _edge_source(datasets["filtered_forces"], "short", edge_without_cause)
+        edge = _edge_without_cause(name, datasets["edge_shifts"])
+        source = _edge_source(datasets["filtered_forces"], "short", edge)
     return [
         Number(name, row.computed, row.unit, row.low, row.high, status, source),
         Number(f"{name}_published", row.published, row.unit, source="published"),
     ]
+
+
+def _edge_without_cause(shift: str, edge_shifts: xr.Dataset) -> float:
+    """Return the averaged short edge (nm) without the cause of a shift, by the shift's name."""
+    model, index = EDGES_WITHOUT_CAUSE[shift]
+    edges = edge_shifts["edge"].sel(side="short", group=MEAN_GROUP, contact_model=model)
+    return float(edges.sortby("rho").isel(rho=index))
 
 
 def _surface_numbers(surface: str, datasets: Mapping[str, xr.Dataset]) -> dict[str, Number]:
