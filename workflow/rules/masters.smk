@@ -11,7 +11,7 @@ SAMPLED_CHUNKS = [] if IS_PAPER_STUDY else CHUNKS.master_forces("sampled")
 
 
 rule synthesize_masters:
-    """Make a master for each side: a scan with random waves beyond the side's transition."""
+    """Make a master of `band` for each side: a scan with random waves beyond the side's transition."""
     input:
         scan=lambda w: FILES.contact_map_path(
             w.surface, PLAN.master_scan_number(w.surface, int(w.realization))
@@ -26,14 +26,17 @@ rule synthesize_masters:
         parameters=lambda w: dict(
             surface=w.surface,
             realization=int(w.realization),
-            **SETTINGS["masters"],
+            **SETTINGS["masters"],  # seed, sides
         ),
     script:
         "../scripts/synthesize_masters.py"
 
 
-# `w.purpose` is one of `PURPOSES` in files/settings.py, of which ../README.md has a table. The masters of
-# `band` are inputs. For other purposes scans and spectra are inputs, from which the job makes the masters.
+# `w.purpose` is one of the purposes in hardcontact/files/purposes.py, of which ../README.md has a table and
+# an example. The rule reads masters or makes them:
+#   band            reads the masters that synthesize_masters wrote. Inputs: short_masters, long_masters
+#   other purposes  makes each master and forgets it. Inputs: scans, spectra
+# It is one rule, because its name is in the records of all these forces.
 rule compute_filtered_forces:
     """Compute the forces on masters of a purpose, unfiltered and without waves beyond each cutoff."""
     input:
@@ -47,6 +50,7 @@ rule compute_filtered_forces:
         parameters=lambda w: dict(
             surface=w.surface,
             realization_numbers=list(range(int(w.first), int(w.last) + 1)),
+            # seed, window, stream, contacts_per_row, sides, radii, loadings, ranges
             **SETTINGS[w.purpose],
         ),
     script:

@@ -56,4 +56,4 @@ SPHERE_SCAN = (
 
 
 wildcard_constraints:
-    **constraints(SELECTION.surfaces),
+    **constraints(SELECTION.surfaces, STORE.purposes),

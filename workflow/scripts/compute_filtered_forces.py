@@ -25,9 +25,9 @@ with run_job(snakemake) as job:
     for index, realization in enumerate(params["realization_numbers"]):
         for side in sides:
             settings = params["sides"][side]
-            if master_paths := job.input.get(f"{side}_masters"):
+            if master_paths := job.input.get(f"{side}_masters"):  # The purpose is `band`.
                 master = load_height_map(master_paths[index])
-            else:
+            else:  # For other purposes the job makes the master.
                 scan = load_height_map(job.input.scans[index])
                 spectrum_data = read_dataset(job.input.spectra[index])
                 # A sampled spectrum comes with a factor for the heights of the scan.

@@ -5,10 +5,9 @@ from math import ceil
 from typing import NamedTuple
 
 from hardcontact.base.units import path_token
-from hardcontact.config.configuration import get_key
 from hardcontact.config.keys import SMOOTH_SPHERE
 from hardcontact.files.paths import SurfaceFiles
-from hardcontact.files.settings import MASTERS_PER_JOB, PURPOSES
+from hardcontact.files.purposes import MASTERS_PER_JOB, Purpose
 from hardcontact.surfaces.features import FEATURE_SIGNS, GAUSSIAN
 from hardcontact.surfaces.synthesis import SIDES
 
@@ -63,6 +62,7 @@ class Chunks:
 
     def __init__(self, files: SurfaceFiles) -> None:
         self._files = files
+        self._purposes = files.patterns.purposes
         self._plan = files.plan
         self._study = files.plan.study
         self._selection = files.selection
@@ -102,45 +102,43 @@ class Chunks:
         substitutes = self._selection.substitute_substrates
         return [Chunk(surface, *span) for surface in substitutes for span in spans]
 
-    def master_forces(self, purpose: str) -> list[MasterForcesChunk]:
+    def master_forces(self, purpose_name: str) -> list[MasterForcesChunk]:
         """Return the chunks of masters of a purpose: outputs of rule compute_filtered_forces."""
-        count = get_key(self._study, PURPOSES[purpose].masters_key)
-        spans = _spans(count, PURPOSES[purpose].masters_per_job)
-        settings = self._files.patterns.settings[purpose]
-        contacts = [replace(self._plan.contact, **loading) for loading in settings["loadings"]]
+        purpose = self._purposes[purpose_name]
+        spans = _spans(purpose.master_count, purpose.masters_per_job)
+        contacts = [replace(self._plan.contact, **loading) for loading in purpose.loadings]
         substrates = self._selection.substrates
-        if PURPOSES[purpose].samples_spectra:  # only spectra of measured surfaces are sampled
+        if purpose.samples_spectra:  # only spectra of measured surfaces are sampled
             substrates = [name for name in substrates if name in self._selection.measured_surfaces]
         return [
             MasterForcesChunk(
-                purpose=purpose,
-                settings_digest=self._files.patterns.digests[purpose],
+                purpose=purpose_name,
+                settings_digest=self._files.patterns.digests[purpose_name],
                 surface=surface,
                 sphere_digest=self._sphere_digest(purpose, surface),
                 first=first,
                 last=last,
-                radii="+".join(f"R{path_token(radius, 'um')}" for radius in settings["radii"]),
+                radii="+".join(f"R{path_token(radius, 'um')}" for radius in purpose.radii),
                 loadings="+".join(contact.loading_name for contact in contacts),
-                ranges="+".join(f"rho{path_token(rho, 'nm')}" for rho in settings["ranges"]),
+                ranges="+".join(f"rho{path_token(rho, 'nm')}" for rho in purpose.ranges),
             )
             for surface in substrates
             for first, last in spans
         ]
 
-    def _sphere_digest(self, purpose: str, surface: str) -> str:
+    def _sphere_digest(self, purpose: Purpose, surface: str) -> str:
         """Return the sphere's digest, SMOOTH_SPHERE if the masters touch a smooth sphere."""
-        is_rough = self._study["band"]["sphere_roughness"] and PURPOSES[purpose].rough_sphere
-        if is_rough and surface not in self._plan.combined_surfaces:
+        if purpose.has_rough_sphere and surface not in self._plan.combined_surfaces:
             return self._selection.sphere_digest
         return SMOOTH_SPHERE
 
     def master_inputs(
-        self, purpose: str, surface: str, first: int, last: int
+        self, purpose_name: str, surface: str, first: int, last: int
     ) -> dict[str, list[str]]:
         """Return the inputs of rule compute_filtered_forces: by name, a file for each master."""
-        files = self._files
+        purpose, files = self._purposes[purpose_name], self._files
         realizations = range(first, last + 1)
-        if PURPOSES[purpose].masters_are_files:
+        if purpose.masters_are_files:
             return {
                 f"{side}_masters": [
                     files.path(files.patterns.masters, surface, realization=realization, side=side)
@@ -149,7 +147,7 @@ class Chunks:
                 for side in SIDES
             }
         # Masters that are no files: the job makes them from scans and spectra.
-        if PURPOSES[purpose].samples_spectra:
+        if purpose.samples_spectra:
             spectra = [
                 files.sampled_spectrum_path(surface, realization) for realization in realizations
             ]

@@ -8,7 +8,8 @@ from typing import Any
 from hardcontact.base.units import path_token
 from hardcontact.config.keys import SMOOTH_SPHERE
 from hardcontact.config.study_plan import StudyPlan
-from hardcontact.files.settings import PURPOSES, intermediate_kinds, settings_digest
+from hardcontact.files.purposes import master_purposes
+from hardcontact.files.settings import intermediate_kinds, settings_digest
 from hardcontact.surfaces.features import FEATURE_KINDS
 from hardcontact.surfaces.synthesis import SIDES
 
@@ -31,6 +32,7 @@ class StorePatterns:
 
     def __init__(self, plan: StudyPlan) -> None:
         kinds = intermediate_kinds(plan)
+        self.purposes = master_purposes(plan.study)
         self.settings = {name: kind.settings for name, kind in kinds.items()}
         self.digests = {name: settings_digest(kinds, name) for name in kinds}
         store = plan.study["store"]
@@ -75,7 +77,7 @@ class StorePatterns:
         )
 
         # Masters, and the forces on them at lists of radii, loadings and ranges. The purpose, one
-        # of `PURPOSES`, names what the forces are for.
+        # of `purposes`, names what the forces are for.
         self.masters = f"{folder['masters']}/{_REALIZATION}/{{side}}.nc"
         sweep = f"{{settings_digest}}/{{radii}}/{{loadings}}/{{ranges}}/{_SURFACE}"
         chunk = f"{rough_sphere}/realizations-{{first}}-{{last}}.nc"
@@ -123,7 +125,7 @@ def any_name_pattern(names: Iterable[str]) -> str:
     return "|".join(map(re.escape, names)) or "(?!)"
 
 
-def wildcard_constraints(surfaces: Iterable[str]) -> dict[str, str]:
+def wildcard_constraints(surfaces: Iterable[str], purposes: Iterable[str]) -> dict[str, str]:
     """Return the regular expression that each wildcard must match."""
     radius = f"R{_NUMBER}um"
     loading = f"(H{_NUMBER}GPa|rigid)-F{_NUMBER}uN"
@@ -140,7 +142,7 @@ def wildcard_constraints(surfaces: Iterable[str]) -> dict[str, str]:
         "radii": rf"{radius}(\+{radius})*",
         "loadings": rf"{loading}(\+{loading})*",
         "ranges": rf"{rho}(\+{rho})*",
-        "purpose": "|".join(PURPOSES),
+        "purpose": "|".join(purposes),
         "settings_digest": "[0-9a-f]+",
         "digest": "[0-9a-f]+",
         "sphere_digest": f"[0-9a-f]+|{SMOOTH_SPHERE}",

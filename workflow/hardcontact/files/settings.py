@@ -3,8 +3,7 @@
 The path of a file has a digest of these settings, and of the settings of the kinds that the file is
 made from. So a changed setting makes new files.
 
-Forces on masters are needed for several purposes, with other masters and other contacts for each.
-`PURPOSES` lists the purposes; `workflow/README.md` has them as a table.
+The settings of forces on masters are those of their purpose (`files/purposes.py`).
 """
 
 import math
@@ -13,21 +12,16 @@ from typing import Any, NamedTuple
 
 from hardcontact.config.configuration import (
     contact_arguments,
-    get_key,
     is_paper_study,
-    master_keys,
     reading_arguments,
-    study_contact,
 )
 from hardcontact.config.limits import MAX_MAP_PIXELS
 from hardcontact.config.study_plan import StudyPlan
-from hardcontact.contact.numerical_limits import SHORT_ADHESION_RANGE, SHORTEST_WHOLE_RANGE
+from hardcontact.contact.numerical_limits import SHORTEST_WHOLE_RANGE
+from hardcontact.files.purposes import Purpose, master_purposes
 from hardcontact.records.origin import short_value_digest
-from hardcontact.surfaces.synthesis import BAND_STREAM, SET_STREAM, SIDES
+from hardcontact.surfaces.synthesis import SIDES
 
-#: Masters, or whole surfaces, in one job: few enough to keep all cores busy, but so many that a job
-#: takes much longer than its start, half a second.
-MASTERS_PER_JOB = 5
 #: Width of the periodic random surface from which a substitute is cut, in widths of the substitute.
 #: A real scan has waves longer than itself and does not continue at its borders; a larger surface
 #: would imitate this better, but takes more memory.
@@ -48,63 +42,6 @@ class IntermediateKind(NamedTuple):
     made_from: Sequence[str] = ()
 
 
-class Purpose(NamedTuple):
-    """Which masters one purpose needs, and which contacts are made on them.
-
-    Keys are those of the configuration, so that one purpose serves all studies.
-    """
-
-    # Masters.
-    masters_key: str  #: Key of the number of masters of each surface.
-    #: Section of the pixels and cutoffs of masters; keys that it lacks are those of `band`.
-    section: str
-    stream: str  #: BAND_STREAM or SET_STREAM: which random numbers masters have.
-    sides: Sequence[str] = SIDES
-    #: Whether each master has another spectrum, sampled within the uncertainty of the scans.
-    samples_spectra: bool = False
-    #: Whether the rule synthesize_masters writes the masters into the store. Otherwise the job that
-    #: computes the forces makes the masters and forgets them.
-    masters_are_files: bool = False
-    masters_per_job: int = MASTERS_PER_JOB
-    # Contacts. Forces are computed for all radii, preloads, contact models and ranges.
-    contacts_key: str = "sets.contacts_per_row"
-    #: Whether the sphere is rough if `band.sphere_roughness` says so; otherwise it is smooth.
-    rough_sphere: bool = True
-    radii_key: str = "sphere.radius"  #: Key of one radius of the sphere, or of several radii.
-    preload_shares: Sequence[float] = (1,)  #: Preloads, relative to the preload of the study.
-    plastic: Sequence[bool] = (True,)  #: True for the plastic, False for the rigid contact model.
-    further_ranges: Sequence[float] = ()  #: Ranges of adhesion in nm, besides that of the study.
-
-
-# `band` and `sampled` have the same random numbers, so that their forces differ only because
-# spectra are sampled. `sets` has others, because sets are other random choices than the study.
-# `exponents` and `edge_shifts` have the numbers and pixels of `sets`, so the first of its masters.
-_BAND = Purpose(
-    "band.masters", "band", BAND_STREAM, masters_per_job=1, contacts_key="contact.contacts_per_row"
-)
-#: The purposes of masters, by the name in the paths of their forces.
-PURPOSES = {
-    # The edges of the study.
-    "band": _BAND._replace(masters_are_files=True),
-    # How far the uncertain spectra of measured surfaces move these edges.
-    "sampled": _BAND._replace(samples_spectra=True),
-    # The edges of each set.
-    "sets": Purpose("sets.masters", "sets", SET_STREAM),
-    # How force and edges depend on radius and preload, on a smooth sphere. At an eighth of the
-    # paper's preload the contact still has some 30 pixels on short-edge masters, and 3 on long-edge
-    # ones. Larger preloads move short edges beyond the cutoffs of sets.
-    "exponents": Purpose(
-        "exponents.masters", "sets", SET_STREAM, rough_sphere=False,
-        radii_key="exponents.radii", preload_shares=(1 / 8, 1),
-    ),
-    # How far plasticity, and a long range of adhesion, move the short edge.
-    "edge_shifts": Purpose(
-        "exponents.masters", "sets", SET_STREAM, sides=("short",), plastic=(True, False),
-        further_ranges=(SHORT_ADHESION_RANGE,),
-    ),
-}  # fmt: skip
-
-
 def intermediate_kinds(plan: StudyPlan) -> dict[str, IntermediateKind]:
     """Return the kinds of intermediates by name."""
     master_forces = {
@@ -112,7 +49,7 @@ def intermediate_kinds(plan: StudyPlan) -> dict[str, IntermediateKind]:
             _master_force_settings(plan.study, purpose),
             ["masters" if purpose.masters_are_files else "both_bodies"],
         )
-        for name, purpose in PURPOSES.items()
+        for name, purpose in master_purposes(plan.study).items()
     }
     contacts = _scan_contact_kinds(plan) | _random_surface_kinds(plan.study)
     return _surface_kinds(plan) | contacts | master_forces
@@ -201,7 +138,7 @@ def _random_surface_kinds(study: Mapping[str, Any]) -> dict[str, IntermediateKin
         # edges that the study found.
         "band_forces": IntermediateKind(whole_surface),
         # Scans among which sets choose, and forces on them: without features, then with. The
-        # masters of the sets are no part of the pool: their forces are a purpose of `PURPOSES`.
+        # masters of the sets are no part of the pool: `sets` is a purpose of forces on masters.
         "pool": IntermediateKind(set_scan | rms_heights),
         "featured_candidates": IntermediateKind(set_scan),
     }
@@ -234,29 +171,9 @@ def settings_digest(kinds: Mapping[str, IntermediateKind], name: str) -> str:
 
 def _master_force_settings(study: Mapping[str, Any], purpose: Purpose) -> dict[str, Any]:
     """Return the settings of the forces on the masters of a purpose; lengths are in nm."""
-    contact = study_contact(study)
-    radii = get_key(study, purpose.radii_key)
-    return {
-        "seed": study["seed"],
-        "stream": purpose.stream,
-        "window": contact.window,
-        "contacts_per_row": get_key(study, purpose.contacts_key),
-        "sides": {
-            side: {
-                name: get_key(study, key)
-                for name, key in master_keys(study, purpose.section, side).items()
-            }
-            for side in purpose.sides
-        },
-        "radii": radii if isinstance(radii, list) else [radii],
-        # A loading is a preload, a hardness and a contact model.
-        "loadings": [
-            {"preload": share * contact.preload, "hardness": contact.hardness, "plastic": plastic}
-            for share in purpose.preload_shares
-            for plastic in purpose.plastic
-        ],
-        "ranges": [*purpose.further_ranges, contact.rho],
-    }
+    names = ("stream", "contacts_per_row", "sides", "radii", "loadings", "ranges")
+    settings = {name: getattr(purpose, name) for name in names}
+    return {"seed": study["seed"], "window": study["contact"]["window"], **settings}
 
 
 def largest_master_megabytes(settings: Mapping[str, Any]) -> int:
