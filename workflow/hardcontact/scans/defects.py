@@ -23,25 +23,29 @@ Defect = dict[str, float]
 DEFECT_SENTENCES: dict[str, str] = yaml.safe_load(
     Path(__file__).with_name("defects.yaml").read_text("utf-8")
 )
-#: By code of a defect: its numbers with their units.
+#: By code of a defect: its numbers with the units in which its sentence gives them.
 DEFECTS = {
     "streaks": {
-        "streak_lines": "1", "first_streak_line": "1", "last_streak_line": "1",
+        "streak_lines": "lines", "first_streak_line": "lines", "last_streak_line": "lines",
         "rms_height_without_streaks": "nm",
     },
-    "spikes": {"spike_share": "1", "rms_height_without_spikes": "nm"},
-    "equal_lines": {"equal_line_share": "1"},
-    "highest": {"highest_share": "1"},
-    "lowest": {"lowest_share": "1"},
-    "curvature": {"curvature_radius": "nm", "uncurved_share": "1"},
+    "spikes": {"spike_share": "%", "rms_height_without_spikes": "nm"},
+    "equal_lines": {"equal_line_share": "%"},
+    "highest": {"highest_share": "%"},
+    "lowest": {"lowest_share": "%"},
+    "curvature": {"curvature_radius": "nm", "uncurved_share": "%"},
     "offset_lines": {"line_offset": "nm"},
     "lay": {"lay_ratio": "1"},
     "slopes": {"slope_along_x": "1", "slope_along_y": "1"},
-    "sidewalls": {"sidewall_slope_share": "1"},
+    "sidewalls": {"sidewall_slope_share": "%"},
     "noise": {"noise_height": "nm", "rms_height_without_noise": "nm"},
 }  # fmt: skip
-#: The numbers of all defects with their units.
-DEFECT_UNITS = {name: unit for units in DEFECTS.values() for name, unit in units.items()}
+#: The numbers of all defects with their units in datasets.
+DEFECT_UNITS = {
+    name: "nm" if unit == "nm" else "1"
+    for units in DEFECTS.values()
+    for name, unit in units.items()
+}
 
 #: Least height difference of a spike from its neighbours, in rms heights. In white Gaussian noise
 #: one of 2·10⁹ pixels of a map, and one of 4·10⁶ points of a line scan, differs so much.
@@ -98,8 +102,23 @@ def level_and_list_defects(
 def _find_defects(scan: HeightMap, heights: Floats) -> dict[str, Defect]:
     """Find the defects of a scan with levelled heights, by code; a defect without numbers is none.
 
-    A defect is left out if another defect imitates or hides it. Equal lines look like a lay, for
-    example, and sidewalls hide white noise.
+    A defect is not looked for if another defect imitates or hides it. Equal lines look like a lay,
+    for example, and sidewalls hide white noise. Defects are looked for in this order:
+
+    | defect | in scans | not looked for with |
+    |---|---|---|
+    | curvature | maps | |
+    | equal_lines | maps | |
+    | streaks | maps | equal_lines |
+    | highest, lowest | all | |
+    | spikes | all | |
+    | sidewalls | all | equal_lines, spikes |
+    | offset_lines, lay | maps | equal_lines |
+    | slopes | maps | equal_lines, offset_lines, lay |
+    | noise | maps | equal_lines, spikes, sidewalls, offset_lines, quantised heights |
+
+    The highest and lowest heights are those of the measured scan without equal lines. From spikes
+    on, the heights are levelled, with filled streaks.
     """
     # Levelling makes equal heights unequal, so tests of equal heights need the measured ones.
     measured_heights = scan.heights
@@ -114,17 +133,18 @@ def _find_defects(scan: HeightMap, heights: Floats) -> dict[str, Defect]:
             measured_heights = measured_heights[~is_equal_row][:, ~is_equal_column]
         else:
             heights, defects["streaks"] = _find_and_fill_streaks(heights)
-            power = _wave_power(heights)
-            defects |= _find_line_patterns(heights, power, scan.pixel_size)
-            defects["noise"] = _find_noise(heights.var(), power)
-    defects["spikes"] = _find_spikes(heights)
     defects |= _find_clipping(measured_heights)
+    defects["spikes"] = _find_spikes(heights)
     if not (defects.get("equal_lines") or defects["spikes"]):
         defects["sidewalls"] = _find_sidewalls(heights)
-    # Rounding of quantised heights, most of which equal the next height, is noise, too.
-    is_quantised = np.median(np.abs(np.diff(scan.heights, axis=0))) == 0
-    if is_quantised or any(defects.get(code) for code in ("spikes", "sidewalls", "offset_lines")):
-        defects["noise"] = {}
+    if scan.kind == "map" and not defects.get("equal_lines"):
+        power = _wave_power(heights)
+        defects |= _find_line_patterns(heights, power, scan.pixel_size)
+        # Rounding of quantised heights, most of which equal the next height, is noise, too.
+        is_quantised = np.median(np.abs(np.diff(scan.heights, axis=0))) == 0
+        hiding_defects = ("spikes", "sidewalls", "offset_lines")
+        if not (is_quantised or any(defects.get(code) for code in hiding_defects)):
+            defects["noise"] = _find_noise(heights.var(), power)
     return defects
 
 
@@ -242,7 +262,7 @@ def _find_curvature(heights: Floats, pixel_size: float) -> Defect:
 
 
 def _find_line_patterns(heights: Floats, power: Floats, pixel_size: float) -> dict[str, Defect]:
-    """Find offset lines and a lay, or else slopes that depend on direction."""
+    """Find offset lines and a lay; without either, slopes that depend on direction."""
     pixels = len(power)
     waves = np.fft.fftfreq(pixels, 1 / pixels)
     wavevector = waves + 1j * waves[:, None]  # x + iy, in waves across the map
@@ -342,12 +362,12 @@ def _find_noise(variance: float, power: Floats) -> Defect:
     pixels = len(power)
     waves = np.fft.fftfreq(pixels, 1 / pixels)
     wavenumber = np.hypot(waves, waves[:, None])  # in waves across the map
-    half_octave_of_wave = np.round(2 * np.log2(pixels / np.maximum(wavenumber, 1)))
-    # The half octaves are centred on 2^(3/2) pixels and longer wavelengths.
-    resolved_half_octaves = np.arange(3, 2 * np.log2(pixels / MIN_WAVES))
-    if len(resolved_half_octaves) < 2:
+    log_wavelength = np.log2(pixels / np.maximum(wavenumber, 1))  # of the wavelength in pixels
+    # The half octaves are centred on these wavelengths in pixels: 2^1.5, 2^2, 2^2.5 and so on.
+    wavelengths = 2 ** np.arange(1.5, np.log2(pixels / MIN_WAVES), 0.5)
+    if len(wavelengths) < 2:
         return {}
-    half_octave_masks = [half_octave_of_wave == index for index in resolved_half_octaves]
+    half_octave_masks = [np.abs(log_wavelength - np.log2(centre)) < 1 / 4 for centre in wavelengths]
     mean_powers = [power[mask].mean() for mask in half_octave_masks]
     counts = [np.count_nonzero(mask) for mask in half_octave_masks]
     # Slopes of the logarithmic spectrum against the wavenumber, shortest waves first. Mean powers
@@ -372,16 +392,16 @@ def _find_noise(variance: float, power: Floats) -> Defect:
 
 def defect_sentence(code: str, numbers: Mapping[str, float]) -> str:
     """Return the sentence on a defect, without its subject, the scan, and without a full stop."""
-    words = {name: _format_defect_number(name, number) for name, number in numbers.items()}
+    words = {name: _format_number(numbers[name], unit) for name, unit in DEFECTS[code].items()}
     words["sidewall_pixels"] = format_share(SIDEWALL_PIXEL_SHARE)
     return DEFECT_SENTENCES[code].format(**words, streak=MIN_STREAK_STEPS, spike=MIN_SPIKE_DISTANCE)
 
 
-def _format_defect_number(name: str, number: float) -> str:
-    """Return a number of a defect with its unit, a share in percent."""
-    if DEFECT_UNITS[name] == "nm":
+def _format_number(number: float, unit: str) -> str:
+    """Return a number in words; its unit is one of those in DEFECTS."""
+    if unit == "nm":
         return format_length(number)
-    if name.endswith(("_lines", "_line")):
+    if unit == "lines":
         return f"{number:.0f}"
-    number = float(f"{number:.2g}")
-    return format_share(number) if name.endswith("_share") else f"{number:g}"
+    rounded = float(f"{number:.2g}")
+    return format_share(rounded) if unit == "%" else f"{rounded:g}"

@@ -24,7 +24,7 @@ from hardcontact.report.own_surfaces.datasets import (
     stored_tabor_number,
 )
 from hardcontact.report.quantities import number_of, number_without_value
-from hardcontact.scans.defects import DEFECTS, defect_sentence
+from hardcontact.scans.defects import DEFECT_UNITS, DEFECTS, defect_sentence
 from hardcontact.scans.heights import split_notes
 from hardcontact.scans.reliable_band import OTHER_BODY
 from hardcontact.scans.scan_pairs import find_contradictions
@@ -197,11 +197,13 @@ def _blind_scans_caution(data: Datasets) -> Iterator[Caution]:
 def _defect_cautions(spectra: xr.Dataset, *, grave: bool) -> Iterator[Caution]:
     """Yield a caution for each defect in MISLEADING_DEFECTS if grave, else for each other."""
     for index, scan in enumerate(split_measurements(spectra), start=1):
-        for code, units in DEFECTS.items():
-            values = {name: scan[name].item() for name in units}
+        for code, names in DEFECTS.items():
+            values = {name: scan[name].item() for name in names}
             if (code in MISLEADING_DEFECTS) != grave or not np.isfinite([*values.values()]).all():
                 continue
-            numbers = [Number(name, values[name], units[name], source="file") for name in units]
+            numbers = [
+                Number(name, values[name], DEFECT_UNITS[name], source="file") for name in names
+            ]
             texts = {"scan": measurement_name(scan), "sentence": defect_sentence(code, values)}
             yield Caution(code, *numbers, grave=grave, measurement=index, **texts)
 
