@@ -21,7 +21,7 @@ import xarray as xr
 
 from hardcontact.base.statistics import Sampling
 from hardcontact.contact.contact import CONTACT_AXES
-from hardcontact.inference.edges import MEAN_GROUP, edges_of_independent_masters
+from hardcontact.inference.edges import AVERAGED, edges_of_independent_masters
 from hardcontact.inference.forces_on_masters import read_master_forces
 from hardcontact.paper.claims.band_quantities import band_edge, outermost_edge
 from hardcontact.paper.claims.verdicts import read_judged_claims
@@ -39,7 +39,7 @@ def claimed_edges(filtered_forces, ratio, settings):
     # The ids of claims say "first" for the outermost edge, "mean" for the averaged one.
     edges_by_suffix = {
         "first": outermost_edge(edges),
-        "mean": band_edge(edges).sel(group=MEAN_GROUP),
+        "mean": band_edge(edges).sel(group=AVERAGED),
     }
     return {
         f"{side}_edge_{suffix}": edge["value"].sel(side=side).item()

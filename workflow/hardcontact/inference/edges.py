@@ -28,7 +28,7 @@ from hardcontact.inference.mean_forces import (
 )
 
 #: The label in `group` of the change averaged over all surfaces; other groups are single surfaces.
-MEAN_GROUP = "mean"
+AVERAGED = "mean"
 #: Names of the numbers of both edges by the side of the band.
 EDGE_NAMES = {"short": "short_edge", "long": "long_edge"}
 #: The dimension of curves: the cutoffs of both sides in nm.
@@ -209,7 +209,7 @@ def edges_or_bounds(edges: xr.Dataset) -> xr.DataArray:
 
 def averaged_band(edges: xr.Dataset) -> tuple[float, float]:
     """Return both edges or bounds (nm) of the change averaged over all surfaces."""
-    averaged_edges = edges_or_bounds(edges).sel(group=MEAN_GROUP)
+    averaged_edges = edges_or_bounds(edges).sel(group=AVERAGED)
     return float(averaged_edges.sel(side="short")), float(averaged_edges.sel(side="long"))
 
 
@@ -242,7 +242,7 @@ def edges_of_independent_masters(
     group_ratios = ratios.rename(surface="group")
     changes = abs(group_ratios - 1)
     # The mean over surfaces is that of |ratio - 1|, because signs would cancel.
-    averaged_change = changes.mean("group", skipna=False).expand_dims(group=[MEAN_GROUP], axis=-2)
+    averaged_change = changes.mean("group", skipna=False).expand_dims(group=[AVERAGED], axis=-2)
     spectrum_ends = forces["spectrum_end"].rename(surface="group")
     group_edges = [
         find_edges(xr.ufuncs.log(group_ratios), logarithmic_limits(tolerance), spectrum_ends),

@@ -12,7 +12,7 @@ from scipy import special
 from hardcontact.base.statistics import interval_ends
 from hardcontact.contact.hertz_jkr_dmt import dmt_pull_off
 from hardcontact.contact.pull_off import mean_over_contacts
-from hardcontact.inference.edges import MEAN_GROUP, computed_cutoffs, edges_or_bounds, last_cutoff
+from hardcontact.inference.edges import AVERAGED, computed_cutoffs, edges_or_bounds, last_cutoff
 from hardcontact.paper.claims.estimates import as_estimate, mean_over_scans, variable_estimate
 
 
@@ -26,7 +26,7 @@ def outermost_edge(edges: xr.Dataset) -> xr.Dataset:
 
     Each end of the interval is the outermost of that end over the coatings.
     """
-    coating_edges = band_edge(edges).drop_sel(group=MEAN_GROUP)
+    coating_edges = band_edge(edges).drop_sel(group=AVERAGED)
     short_edge = coating_edges.sel(side="short").min("group")
     long_edge = coating_edges.sel(side="long").max("group")
     return xr.concat([short_edge, long_edge], "side")

@@ -10,7 +10,7 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.contact.contact import CONTACT_MODELS
-from hardcontact.inference.edges import MEAN_GROUP
+from hardcontact.inference.edges import AVERAGED
 from hardcontact.paper.claims.estimates import quotient
 from hardcontact.paper.claims.verdicts import BY_CONSTRUCTION, EXPERIMENT, ONE_SIDED, UNTESTABLE
 
@@ -18,7 +18,7 @@ from hardcontact.paper.claims.verdicts import BY_CONSTRUCTION, EXPERIMENT, ONE_S
 SURFACES = ("polished_uncd", "uncd", "ncd", "mcd", "ruby")
 #: The labels of each dimension that claims may select; an empty entry stands for numbers.
 LABELS: dict[str, Sequence[str]] = {
-    "surface": SURFACES, "group": (MEAN_GROUP, *SURFACES), "left_out": ("none", *SURFACES),
+    "surface": SURFACES, "group": (AVERAGED, *SURFACES), "left_out": ("none", *SURFACES),
     "contact_model": CONTACT_MODELS, "side": ("short", "long"), "pair": ("published", "fitted"),
     "force_source": ("published", "computed"), "metrics": ("afm", "all_scales"),
     "model": ("rumpf_height", "rumpf_curvature", "rabinovich", "fuller_tabor", "maugis"),

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from hardcontact.base.formatting import format_share
-from hardcontact.inference.edges import MEAN_GROUP
+from hardcontact.inference.edges import AVERAGED
 from hardcontact.report.figures import drawing, panels, style
 
 MICROMETRE = 1000  # nm
@@ -67,7 +67,7 @@ def _draw_smooth(axes: Axes, asperities: xr.Dataset) -> None:
 
 def _draw_long_edge(axes: Axes, edges: xr.Dataset, published_constants: pd.DataFrame) -> None:
     """Draw the long edge (µm) of the averaged change, and the published edge."""
-    averaged_edge = edges.sel(side="long", group=MEAN_GROUP)
+    averaged_edge = edges.sel(side="long", group=AVERAGED)
     edge = panels.scalar_and_interval(averaged_edge, "edge")
     value, low, high = np.array([edge["value"], edge["low"], edge["high"]]) / MICROMETRE
     _, published = panels.published_band(published_constants)

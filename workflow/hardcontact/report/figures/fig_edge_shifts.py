@@ -33,7 +33,7 @@ def draw(edge_shifts: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     confidence = format_share(edge_shifts.attrs["confidence"])
     handles = [
         *style.surface_handles(edge_shifts),
-        Line2D([], [], label="averaged change", **style.MEAN_LOOK),
+        Line2D([], [], label="averaged change", **style.AVERAGED_LOOK),
         Line2D([], [], label=f"published short edge: {published:g} nm", **style.PUBLISHED_LOOK),
         Line2D([], [], lw=1.4, color="0.3", label=f"{confidence} interval (bars)"),
         Patch(label=f"change below {tolerance}", **panels.UNCHANGED_LOOK),

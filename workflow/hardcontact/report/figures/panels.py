@@ -12,7 +12,7 @@ from matplotlib.collections import LineCollection
 
 from hardcontact.base.formatting import format_length, format_share
 from hardcontact.base.statistics import interval_ends
-from hardcontact.inference.edges import MEAN_GROUP
+from hardcontact.inference.edges import AVERAGED
 from hardcontact.report.figures import style
 from hardcontact.report.figures.style import Look
 
@@ -128,7 +128,7 @@ def draw_edges(
 
     `arrows` has the position (nm) of each marker: edges and ends of intervals there lie beyond.
     """
-    looks = style.surface_looks(labels["surface"].values) | {MEAN_GROUP: style.MEAN_LOOK}
+    looks = style.surface_looks(labels["surface"].values) | {AVERAGED: style.AVERAGED_LOOK}
     for row, (group, look) in enumerate(looks.items()):
         value, low, high = edges[["value", "low", "high"]].sel(group=group).to_array().values
         axes.plot([low, high], [row, row], color=look["color"], lw=1.4)

@@ -40,7 +40,7 @@ SPHERE_LOOK: Look = {"color": SPHERE_COLOUR, "marker": "X"}
 #: Look of artificial or unreliable wavelengths: above grey areas, which show through.
 HATCHED_LOOK: Look = {"fc": "#F5E3C066", "ec": "#CFB57A", "hatch": "//", "lw": 0, "zorder": 0.5}
 SPREAD_LOOK: Look = {"alpha": 0.2, "lw": 0}  # of bands around curves
-MEAN_LOOK: Look = {"color": "black", "marker": "h"}  # of the mean over all surfaces
+AVERAGED_LOOK: Look = {"color": "black", "marker": "h"}  # of the averaged change
 #: Of a line at a published range of adhesion or edge.
 PUBLISHED_LOOK: Look = {"color": "0.25", "lw": 1.0, "ls": (0, (4, 2))}
 TILTED_LABELS: Look = {"rotation": 25, "ha": "right", "rotation_mode": "anchor"}  # on an axis

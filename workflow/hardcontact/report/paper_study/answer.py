@@ -1,4 +1,16 @@
-"""The answer.json of the paper's study, from claims and datasets."""
+"""The answer.json of the paper's study, from claims and datasets.
+
+The edges of the band have different names in claims, in answer.json and in datasets. These are the
+names of the short edges; those of the long edges are alike.
+
+============== ================ ===================== ===========================================
+edge           claim            number of answer.json dataset
+============== ================ ===================== ===========================================
+outermost      short_edge_first short_edge_first      none: the shortest of all coatings
+averaged       short_edge_mean  short_edge            ``edge`` of ``edges.nc``, ``group="mean"``
+of one coating none             short_edge            ``edge`` of ``edges.nc``, ``group="mcd"``
+============== ================ ===================== ===========================================
+"""
 
 from collections.abc import Iterator, Mapping
 from typing import Any
@@ -12,7 +24,7 @@ from hardcontact.base.statistics import interval_ends, percentile_interval
 from hardcontact.config.configuration import numeric_configuration
 from hardcontact.contact.contact import PLASTIC, RIGID
 from hardcontact.contact.numerical_limits import SHORT_ADHESION_RANGE
-from hardcontact.inference.edges import EDGE_NAMES, MEAN_GROUP, EdgeStatus, edges_or_bounds
+from hardcontact.inference.edges import AVERAGED, EDGE_NAMES, EdgeStatus, edges_or_bounds
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.octaves import strongest_octaves
 from hardcontact.paper.changed_inputs import changed_inputs, contact_inputs
@@ -161,7 +173,7 @@ def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> l
     """Return the computed and the published number of a claim."""
     source: NumberSource = "computed"
     status: NumberStatus | EdgeStatus = _interval_status(row.open_end)
-    averaged_edges = datasets["edges"]["edge"].sel(group=MEAN_GROUP)
+    averaged_edges = datasets["edges"]["edge"].sel(group=AVERAGED)
     for side, edge_name in EDGE_NAMES.items():
         if name.startswith(edge_name):
             source = _edge_source(datasets["filtered_forces"], side, row.computed)
@@ -179,7 +191,7 @@ def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> l
 def _edge_without_cause(shift: str, edge_shifts: xr.Dataset) -> float:
     """Return the averaged short edge (nm) without the cause of a shift, by the shift's name."""
     model, index = EDGES_WITHOUT_CAUSE[shift]
-    edges = edge_shifts["edge"].sel(side="short", group=MEAN_GROUP, contact_model=model)
+    edges = edge_shifts["edge"].sel(side="short", group=AVERAGED, contact_model=model)
     return float(edges.sortby("rho").isel(rho=index))
 
 
