@@ -1,4 +1,4 @@
-"""The choices for the user's scans: the scans of contacts, and keys that the study accepts."""
+"""The choices for your scans: the scans of contacts, and keys that the study accepts."""
 
 import math
 from collections import Counter

@@ -1,4 +1,4 @@
-"""The user's tables of forces: accepted, or refused in one line per fault."""
+"""Your tables of forces: accepted, or refused in one line per fault."""
 
 import pytest
 from refusals import assert_says, refusal

@@ -1,4 +1,4 @@
-"""Small datasets of the user's surfaces, as in a study: edges, forces, fits, spectra, maps."""
+"""Small datasets of your surfaces, as in a study: edges, forces, fits, spectra, maps."""
 
 import json
 from functools import cache

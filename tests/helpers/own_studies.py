@@ -1,4 +1,4 @@
-"""Studies of the user's surfaces: small scans in files of microscopes, and commands on them."""
+"""Studies of your surfaces: small scans in files of microscopes, and commands on them."""
 
 import json
 
@@ -10,9 +10,9 @@ from scan_files import write_nanoscope
 
 #: Height in nm of an integer of a Nanoscope file.
 HEIGHT_STEP = 0.1
-#: Range of adhesion in nm of the user's forces: a computed one.
+#: Range of adhesion in nm of your forces: a computed one.
 RANGE = 5.6
-#: Work of adhesion in J/m² of the user's forces.
+#: Work of adhesion in J/m² of your forces.
 WORK = 0.05
 
 

@@ -68,7 +68,7 @@ def test_the_sensitivity_of_a_power_is_its_exponent():
 
 
 def test_intervals_of_few_skewed_contacts_contain_the_sensitivity_with_their_confidence():
-    # The 64 contacts of a study of own scans at quick effort; each octave is another trial.
+    # The 64 contacts of a study of your scans at quick effort; each octave is another trial.
     rng = np.random.default_rng(3)
     trials, contacts, sensitivity = 3000, (8, 8), -0.5
     force = np.exp(0.4 * rng.standard_normal((trials, 1, *contacts)))

@@ -91,7 +91,7 @@ def test_intervals_contain_spectrum_force_and_edges_of_known_surfaces(monkeypatc
             log_quantities(sampled_spectrum, true_band) - measured_logs
             for sampled_spectrum, _ in sample_spectra(rngs, scans, radii)
         ]
-        # Studies of the user's surfaces compute intervals in this way.
+        # Studies of your surfaces compute intervals in this way.
         t_quantile = stats.t.ppf(0.975, SAMPLE_COUNT)
         half_width = t_quantile * np.sqrt(np.mean(np.square(shifts), axis=0))
         is_contained = np.abs(measured_logs - true_logs) <= half_width

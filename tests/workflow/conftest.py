@@ -1,4 +1,4 @@
-"""Fixtures of studies of the user's surfaces that several files of tests share."""
+"""Fixtures of studies of your surfaces that several files of tests share."""
 
 import numpy as np
 import pandas as pd

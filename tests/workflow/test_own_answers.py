@@ -1,4 +1,4 @@
-"""Studies of the user's surfaces turn files of all kinds into an answer."""
+"""Studies of your surfaces turn files of all kinds into an answer."""
 
 import json
 import re
@@ -37,7 +37,7 @@ def page_of(results):
 
 
 def check_answer(results, missing_figures=()):
-    """Check what the answer of every study of the user's surfaces has."""
+    """Check what the answer of every study of your surfaces has."""
     answer, page = read_answer(results), page_of(results)
     schema = ROOT / "workflow/schemas/answer.schema.json"
     Draft202012Validator(json.loads(schema.read_text("utf-8"))).validate(answer)
@@ -89,7 +89,7 @@ def test_surfaces_on_different_grids_have_their_own_answers(several):
     assert twin["pixel_size"]["value"] == pytest.approx(19.53, abs=0.01)
 
 
-# The user's forces
+# Your forces
 
 
 def test_the_interval_from_own_forces_contains_the_true_work(several):

@@ -1,6 +1,6 @@
 """After full disks, altered files and failing jobs, a study continues and loses nothing.
 
-All on the small study of the user's surfaces, whose undisturbed results are the reference.
+All on the small study of your surfaces, whose undisturbed results are the reference.
 """
 
 import os

@@ -1,4 +1,4 @@
-"""In a study of the user's surfaces, a change repeats exactly what depends on it."""
+"""In a study of your surfaces, a change repeats exactly what depends on it."""
 
 import re
 

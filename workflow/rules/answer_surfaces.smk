@@ -1,4 +1,4 @@
-# The page that answers for the user's surfaces, and its figures.
+# The page that answers for your surfaces, and its figures.
 # Names in capitals that are not defined here: common.smk.
 
 from hardcontact.config.configuration import assumed_quantities, contact_words

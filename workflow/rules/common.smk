@@ -5,8 +5,8 @@
 #   STUDY          the same as numbers: nested dictionaries, with quantities in nm, N, Pa and J/m²
 #   RESULTS        the paths of the final files of the study
 #   SAMPLING       the seed, the number of random samples and the confidence of intervals
-#   IS_PAPER_STUDY whether results are compared with the paper; false for the user's surfaces
-#   HAS_FORCES     whether the user's surfaces have a table of measured forces
+#   IS_PAPER_STUDY whether results are compared with the paper; false for your surfaces
+#   HAS_FORCES     whether your surfaces have a table of measured forces
 #   PAGES          the category and the title of each page of the report
 #   ANSWER         answer.html and answer.json
 #   PUBLISHED_TABLES  the tables of the paper: published_constants, published_pull_off, published_table1

@@ -2,7 +2,7 @@
 # Names in capitals that are not defined here: common.smk.
 
 
-# The user's forces are often too few for one pair of range and work: `fit_measured` (own_surfaces.smk) finds
+# Your forces are often too few for one pair of range and work: `fit_measured` (own_surfaces.smk) finds
 # all pairs that agree with the forces.
 rule fit_published:
     """Fit range and work of adhesion of each contact model to the published forces: fit.nc."""

@@ -6,7 +6,7 @@ from hardcontact.files.settings import largest_master_megabytes
 from hardcontact.surfaces.synthesis import SIDES
 
 BAND_CHUNKS = CHUNKS.master_forces("band")
-#: Masters of sampled spectra, which the user's surfaces alone have.
+#: Masters of sampled spectra, which your surfaces alone have.
 SAMPLED_CHUNKS = [] if IS_PAPER_STUDY else CHUNKS.master_forces("sampled")
 
 

@@ -1,4 +1,4 @@
-# The user's surfaces: whether their scans may be extrapolated (hindcast), the edges of the band, the force,
+# Your surfaces: whether their scans may be extrapolated (hindcast), the edges of the band, the force,
 # and the fit to measured forces.
 # Names in capitals that are not defined here: common.smk and surfaces.smk.
 
@@ -63,7 +63,7 @@ MASTER_PARAMETERS = {
 # Masters share scans, so the forces on them are not independent, and intervals come from parts of the
 # scans (`inference/scan_parts.py`). The masters of `find_edges_of_masters` (band.smk) are independent.
 rule find_edges_of_scans:
-    """Find the edges of the band of the user's surfaces: edges.nc."""
+    """Find the edges of the band of your surfaces: edges.nc."""
     input:
         adhesion=RESULTS.dataset("adhesion"),
         filtered_forces=RESULTS.dataset("filtered_forces"),
@@ -101,7 +101,7 @@ if HAS_FORCES:
     # Forces on one surface give one work of adhesion for each range. Forces on several surfaces give a
     # region of pairs. In the paper's study `fit_published` (fits.smk) finds the best pair instead.
     rule fit_measured:
-        """Find all pairs of range and work of adhesion that agree with the user's forces: fit.nc."""
+        """Find all pairs of range and work of adhesion that agree with your forces: fit.nc."""
         input:
             adhesion=RESULTS.dataset("adhesion"),
             force=RESULTS.dataset("force"),

@@ -1,4 +1,4 @@
-# Spectra: sampled for the user's measured surfaces, gathered for all surfaces.
+# Spectra: sampled for your measured surfaces, gathered for all surfaces.
 # Names in capitals that are not defined here: common.smk and surfaces.smk.
 
 

@@ -3,7 +3,7 @@
 
 from hardcontact.report.figures.listing import FIGURE_SUFFIXES, PAPER_FIGURES
 
-#: Three tables lead from a target to its files: datasets, figures, others. `fit` of the user's surfaces
+#: Three tables lead from a target to its files: datasets, figures, others. `fit` of your surfaces
 #: needs measured forces.
 if IS_PAPER_STUDY:
     DATASETS_OF_TARGETS = {

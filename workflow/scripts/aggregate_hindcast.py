@@ -1,4 +1,4 @@
-"""Tests whether forces on the user's scans may be extrapolated: hindcast.nc."""
+"""Tests whether forces on your scans may be extrapolated: hindcast.nc."""
 
 from hardcontact.base.dataset import add_labels_and_sources, concatenate, read_by_key, stack
 from hardcontact.own.hindcast import hindcast_dataset

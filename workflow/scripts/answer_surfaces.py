@@ -1,4 +1,4 @@
-"""The answer of a study of the user's surfaces: answer.json, and the page that shows it."""
+"""The answer of a study of your surfaces: answer.json, and the page that shows it."""
 
 import pandas as pd
 

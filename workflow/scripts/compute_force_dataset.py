@@ -1,4 +1,4 @@
-"""The pull-off forces on the user's surfaces at the work of adhesion of the study: force.nc."""
+"""The pull-off forces on your surfaces at the work of adhesion of the study: force.nc."""
 
 from hardcontact.base.dataset import read_dataset
 from hardcontact.contact.contact import Contact

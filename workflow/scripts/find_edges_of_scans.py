@@ -1,4 +1,4 @@
-"""The edges of the band of the user's surfaces: edges.nc."""
+"""The edges of the band of your surfaces: edges.nc."""
 
 from hardcontact.base.dataset import read_dataset
 from hardcontact.inference.edges import edges_of_shared_scans, labelled_edges

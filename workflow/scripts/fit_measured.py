@@ -1,4 +1,4 @@
-"""Ranges and works of adhesion that agree with the user's measured forces: fit.nc."""
+"""Ranges and works of adhesion that agree with your measured forces: fit.nc."""
 
 from hardcontact.base.dataset import read_dataset
 from hardcontact.base.statistics import Sampling

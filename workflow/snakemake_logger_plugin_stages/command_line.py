@@ -24,7 +24,7 @@ def _options() -> Namespace:
 
 
 def cost_column() -> str:
-    """Return the column of costs: of a quick study, of the user's surfaces or of the paper."""
+    """Return the column of costs: of a quick study, of your surfaces or of the paper."""
     options = _options()
     if "config/quick.yaml" in options.configfile or "effort=quick" in options.config:
         return "quick"
@@ -52,7 +52,7 @@ def _missing_target_line(name: str) -> str:
 
 
 def _has_own_surfaces() -> bool:
-    """Return whether an overlay makes a study of the user's surfaces."""
+    """Return whether an overlay makes a study of your surfaces."""
     overlays = [yaml.safe_load(Path(path).read_bytes()) for path in _options().configfile]
     return any(overlay.get("published") == "none" for overlay in overlays)
 

@@ -1,4 +1,4 @@
-"""answer.json of the user's surfaces: one flat list with the numbers of the datasets."""
+"""answer.json of your surfaces: one flat list with the numbers of the datasets."""
 
 import json
 from functools import cache

@@ -1,4 +1,4 @@
-"""Measurements of the user's surfaces, their names, and the wavelengths that none shows."""
+"""Measurements of your surfaces, their names, and the wavelengths that none shows."""
 
 import numpy as np
 from answer_inputs import MEASUREMENTS, SURFACES, spectra

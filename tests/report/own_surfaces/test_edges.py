@@ -1,4 +1,4 @@
-"""Edges of the user's surfaces, what to measure next, and the conclusion on their scans."""
+"""Edges of your surfaces, what to measure next, and the conclusion on their scans."""
 
 import numpy as np
 import pytest

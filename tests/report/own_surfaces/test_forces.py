@@ -1,4 +1,4 @@
-"""Computed and measured forces of the user's surfaces, their ratios, and the fit to them."""
+"""Computed and measured forces of your surfaces, their ratios, and the fit to them."""
 
 import answer_inputs as inputs
 import numpy as np

@@ -1,4 +1,4 @@
-"""The page of the user's surfaces: self-contained, honest, readable; figures show the datasets."""
+"""The page of your surfaces: self-contained, honest, readable; figures show the datasets."""
 
 import re
 

@@ -1,4 +1,4 @@
-"""The user's scans: what their files state, and what is measured on them."""
+"""Your scans: what their files state, and what is measured on them."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""The command `hardcontact new`: from files of scans to a study of the user's surfaces."""
+"""The command `hardcontact new`: from files of scans to a study of your surfaces."""
 
 from argparse import Namespace
 from collections.abc import Iterator, Mapping, Sequence
@@ -43,7 +43,7 @@ from hardcontact.scans.reliable_band import LIMIT_NAMES
 
 
 def new_study(arguments: Namespace) -> str:
-    """Write the files of a study of the user's surfaces; return a report in words."""
+    """Write the files of a study of your surfaces; return a report in words."""
     quantities, faults = parse_quantities(arguments)
     radius = quantities["radius"].number
     scan_files = list_scan_files(arguments, radius)

@@ -1,4 +1,4 @@
-"""The keys of a study of the user's surfaces that depend on its scans, with reasons in words."""
+"""The keys of a study of your surfaces that depend on its scans, with reasons in words."""
 
 import math
 from collections import Counter

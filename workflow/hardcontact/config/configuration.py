@@ -72,7 +72,7 @@ def apply_effort(config: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def is_paper_study(study: Mapping[str, Any]) -> bool:
-    """Return whether a study is compared with the paper, and not about the user's surfaces."""
+    """Return whether a study is compared with the paper, and not about your surfaces."""
     return bool(study["published"] == PAPER)
 
 

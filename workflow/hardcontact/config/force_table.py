@@ -1,4 +1,4 @@
-"""Read the user's measured forces: a table of single forces, or mean and median of each surface."""
+"""Read your measured forces: a table of single forces, or mean and median of each surface."""
 
 import difflib
 import re
@@ -33,7 +33,7 @@ FORCE_QUANTITY = Quantity("N", 1e-15, 1e3)
 def read_forces(
     path: str | Path, surfaces: Collection[str], radius: float, named_by: str = "config key forces"
 ) -> pd.DataFrame:
-    """Return the user's pull-off forces on the surfaces of a study, by line of the file.
+    """Return your pull-off forces on the surfaces of a study, by line of the file.
 
     The columns are surface, mean and median in N, count of forces, and site. A force over the
     radius of the probe is multiplied by the `radius` (nm).

@@ -269,9 +269,9 @@ def edges_of_shared_scans(
     tolerance: float,
     confidence: float,
 ) -> xr.Dataset:
-    """Return the edges of the user's surfaces, and their force ratios, with intervals.
+    """Return the edges of your surfaces, and their force ratios, with intervals.
 
-    Masters share the user's few scans, so they are not independent, and intervals come from parts
+    Masters share your few scans, so they are not independent, and intervals come from parts
     of the scans (`inference.scan_parts`), widened by the error of artificial roughness.
     `forces` is filtered_forces.nc, `hindcast` hindcast.nc, or None if all surfaces are substitutes.
     """

@@ -1,4 +1,4 @@
-"""Mean forces on the user's scans and on masters made of them, and the widths of their intervals.
+"""Mean forces on your scans and on masters made of them, and the widths of their intervals.
 
 A master is a scan with artificial roughness, which differs between realizations. So the mean over
 realizations varies with the scans and, on the same scans, with the random numbers.

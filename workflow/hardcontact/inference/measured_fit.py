@@ -1,4 +1,4 @@
-"""The user's measured forces, and the ranges and works of adhesion that agree with them: fit.nc.
+"""Your measured forces, and the ranges and works of adhesion that agree with them: fit.nc.
 
 At each range rho a measured force F and a computed force f, at 1 J/m², agree for the work
 W = F/f(rho). One surface gives a curve W(rho); several give a region, the pairs within the

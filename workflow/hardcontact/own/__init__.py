@@ -1,1 +1,1 @@
-"""What only the user's surfaces need, in a study or in a prediction without a study."""
+"""What only your surfaces need, in a study or in a prediction without a study."""

@@ -1,4 +1,4 @@
-"""The pull-off forces on the user's surfaces at one work and all ranges of adhesion: force.nc.
+"""The pull-off forces on your surfaces at one work and all ranges of adhesion: force.nc.
 
 Forces on scans come from the roughness of the scans alone. The extrapolated force also has the
 roughness that the microscope does not show, but only at one range, in plastic contact. The

@@ -1,4 +1,4 @@
-"""The spectrum C_iso of the user's surface, from a table or from scans at reliable wavelengths."""
+"""The spectrum C_iso of your surface, from a table or from scans at reliable wavelengths."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
@@ -27,7 +27,7 @@ from hardcontact.surfaces.spectrum import Spectrum
 
 
 class OwnSpectrum(NamedTuple):
-    """C_iso from the user's files, with notes on what reading changed or left out."""
+    """C_iso from your files, with notes on what reading changed or left out."""
 
     spectrum: Spectrum  #: A `ScanSpectrum` if it comes from scans.
     notes: tuple[str, ...]

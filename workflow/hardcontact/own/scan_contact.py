@@ -1,4 +1,4 @@
-"""Windows of contacts on the user's scans, and whether forces can be summed quickly."""
+"""Windows of contacts on your scans, and whether forces can be summed quickly."""
 
 import math
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""The force on the user's only map, summed over its pixels and compared with the closed form."""
+"""The force on your only map, summed over its pixels and compared with the closed form."""
 
 import math
 from collections.abc import Iterator, Sequence

@@ -91,7 +91,7 @@ def _paper_faults(study: dict[str, Any], table: pd.DataFrame) -> list[str]:
         *_substrate_faults(substrates),
         *_pool_size_faults(study, contacts[contacts.surface.isin(substrates)]),
     ]
-    # Imported here, as the claims would cost studies of the user's surfaces almost a second.
+    # Imported here, as the claims would cost studies of your surfaces almost a second.
     from hardcontact.paper.claims.statements import check_claims
 
     with collect_faults(faults):
@@ -125,7 +125,7 @@ def _pool_size_faults(study: dict[str, Any], contacts: pd.DataFrame) -> Iterator
 
 
 def _own_surface_faults(study: dict[str, Any], table: pd.DataFrame) -> list[str]:
-    """Return the faults of a study of the user's surfaces, but not those of scans with contacts.
+    """Return the faults of a study of your surfaces, but not those of scans with contacts.
 
     They are faults of the sphere's name, of scans that only enter the spectrum, and of measured
     forces. `check_study` reads the scans with contacts itself.

@@ -146,7 +146,7 @@ def complete_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, A
 
 
 def _refuse_grids_of_paper(workflow: Any, config: Mapping[str, Any]) -> None:
-    """Refuse the paper's quick grids for the user's surfaces, in either order of overlays."""
+    """Refuse the paper's quick grids for your surfaces, in either order of overlays."""
     quick = ROOT / "config/quick.yaml"
     overlays = [Path(path).resolve() for path in workflow.configfiles]
     if not is_paper_study(config) and quick in overlays:

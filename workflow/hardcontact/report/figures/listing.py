@@ -32,7 +32,7 @@ OWN_FIGURES = tuple(_LISTED["own"])  #: "works" is drawn only with measured forc
 
 
 def describe_figure(name: str) -> Description:
-    """Return the description of a figure of the paper's study or of the user's surfaces."""
+    """Return the description of a figure of the paper's study or of your surfaces."""
     return Description(**(_LISTED["paper"] | _LISTED["own"])[name])
 
 

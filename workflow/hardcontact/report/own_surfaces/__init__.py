@@ -1,1 +1,1 @@
-"""The answer of a study of the user's surfaces: its numbers, cautions, figures and page."""
+"""The answer of a study of your surfaces: its numbers, cautions, figures and page."""

@@ -1,4 +1,4 @@
-"""The answer of a study of the user's surfaces: the content of its answer.json, and its page."""
+"""The answer of a study of your surfaces: the content of its answer.json, and its page."""
 
 from collections.abc import Iterator
 from typing import Any, NamedTuple

@@ -1,4 +1,4 @@
-"""The final datasets of a study of the user's surfaces, and the wavelengths that scans show."""
+"""The final datasets of a study of your surfaces, and the wavelengths that scans show."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple

@@ -1,4 +1,4 @@
-"""The edges of the band of a user's surface, the answer from them, and what to measure next."""
+"""The edges of the band of your surface, the answer from them, and what to measure next."""
 
 from collections.abc import Mapping
 from typing import NamedTuple

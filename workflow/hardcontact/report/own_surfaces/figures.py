@@ -1,4 +1,4 @@
-"""Figures of the user's surfaces: octaves, force ratios, height maps, spectra, forces and fits."""
+"""Figures of your surfaces: octaves, force ratios, height maps, spectra, forces and fits."""
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from itertools import cycle

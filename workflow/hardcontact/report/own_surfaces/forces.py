@@ -1,4 +1,4 @@
-"""Computed and measured forces of the user's surfaces as numbers, their ratios and their fit."""
+"""Computed and measured forces of your surfaces as numbers, their ratios and their fit."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
