@@ -21,7 +21,7 @@ def test_numbers_follow_from_the_seed_and_the_digest_of_the_names():
 def test_each_purpose_has_its_own_random_numbers():
     study = Sampling(seed=3, sample_count=10, confidence=0.95)
     classical = replace(study, stream=("sampling", "classical"))
-    number = generator(3, "sampling", "classical", "scales").random()
-    assert classical.generator("scales").random() == number
-    assert study.generator("scales").random() == generator(3, "sampling", "scales").random()
-    assert study.generator("scales").random() != number
+    number = generator(3, "sampling", "classical", "forces").random()
+    assert classical.generator("forces").random() == number
+    assert study.generator("forces").random() == generator(3, "sampling", "forces").random()
+    assert study.generator("forces").random() != number

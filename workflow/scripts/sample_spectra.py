@@ -1,6 +1,6 @@
 """Spectra of a surface, one per realization, sampled within the uncertainty of its scans."""
 
-from hardcontact.base.arrays import generator
+from hardcontact.base.arrays import SEED_WORDS, generator
 from hardcontact.records.job import run_job
 from hardcontact.scans.joined_spectrum import sample_spectra
 from hardcontact.surfaces.height_map import load_height_map
@@ -13,7 +13,7 @@ with run_job(snakemake) as job:
     contact_scan_indices = params["contact_scan_indices"]
     realizations = range(1, len(job.output) + 1)
     rngs = (
-        generator(params["seed"], surface, realization, "drawn spectrum")
+        generator(params["seed"], surface, realization, SEED_WORDS["sampled spectrum"])
         for realization in realizations
     )
     scans = [

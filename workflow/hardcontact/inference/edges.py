@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.arrays import Floats
+from hardcontact.base.arrays import SEED_WORDS, Floats
 from hardcontact.base.statistics import ENDS, Sampling, as_variables, widen_interval
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.inference.mean_forces import (
@@ -236,8 +236,8 @@ def edges_of_independent_masters(
     Sampled edges are (1 + sample, ..., side, group). The first is the edge itself, NaN if it is
     open. In the samples the bound replaces an open edge.
     """
-    # The word "scales" is a part of the seed: another word would give other samples.
-    ratios = sampling.sample_means("scales", forces["filtered_force_ratio"], "realization")
+    seed_word = SEED_WORDS["forces on masters"]
+    ratios = sampling.sample_means(seed_word, forces["filtered_force_ratio"], "realization")
     ratios = ratios.transpose("sample", ..., "side", "surface", CUTOFF)
     group_ratios = ratios.rename(surface="group")
     changes = abs(group_ratios - 1)

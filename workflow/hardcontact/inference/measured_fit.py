@@ -13,7 +13,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.base.arrays import Floats
+from hardcontact.base.arrays import SEED_WORDS, Floats
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import (
     MAX_LOG_DEVIATION,
@@ -119,9 +119,9 @@ def fit_measured(
     tables = dict(list(force_table.groupby("surface")))
     surfaces = [name for name in adhesion["surface"].values.tolist() if name in tables]
     summaries = {name: summarize_forces(tables[name]) for name in surfaces}
-    # The old word "tests" is a part of the seed.
+    rngs = {name: sampling.generator(SEED_WORDS["measured forces"], name) for name in surfaces}
     sampled_means = [
-        sample_measured_mean(sampling.generator("tests", name), summary, sampling.sample_count)
+        sample_measured_mean(rngs[name], summary, sampling.sample_count)
         for name, summary in summaries.items()
     ]
     measured_forces = np.stack(sampled_means, axis=1)
@@ -166,7 +166,7 @@ def _sample_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampli
     deviations = np.stack(scan_deviations, axis=1)
     position_variance = surface_forces.position_variance
     if position_variance is not None:
-        rng = sampling.generator("place on the sphere")
+        rng = sampling.generator(SEED_WORDS["position of the sphere"])
         samples = rng.standard_t(position_variance.degrees_of_freedom, (count, 1))
         deviations += samples * np.sqrt(position_variance.value)
     return surface_forces.mean * np.exp(deviations)

@@ -14,7 +14,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from hardcontact.base.arrays import Floats, generator
+from hardcontact.base.arrays import SEED_WORDS, Floats, generator
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import as_variables, student_quantile
 from hardcontact.base.units import DIMENSIONLESS
@@ -24,7 +24,7 @@ from hardcontact.inference.edges import logarithmic_limits
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 from hardcontact.surfaces.spectrum import SpectrumFunction
-from hardcontact.surfaces.synthesis import SEED_WORDS, random_surface
+from hardcontact.surfaces.synthesis import random_surface
 
 #: The shortest and the longest wavelength in nm.
 Octave = tuple[float, float]

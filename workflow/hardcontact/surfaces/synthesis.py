@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import scipy
 
-from hardcontact.base.arrays import Floats, generator
+from hardcontact.base.arrays import SEED_WORDS, Floats, generator
 from hardcontact.surfaces.filters import BLOCK_ROWS, Transform, interpolate, lowpass
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import SpectrumFunction
@@ -149,12 +149,12 @@ def long_edge_master(
     return replace(repeated, heights=heights.astype(np.float32))
 
 
-#: Old names of the sides. They seed the random numbers, so a new name would change all results.
-SEED_WORDS = {"short": "small", "long": "large"}
-SIDES = tuple(SEED_WORDS)
+#: Sides of the band, at its short and at its long edge.
+SIDES = ("short", "long")
 #: Streams of random numbers, for masters of the study and of sets: two masters of the same scan and
-#: side have different random waves if their streams differ. Old words, which seed the numbers.
-BAND_STREAM, SET_STREAM = "master", "variant"
+#: side have different random waves if their streams differ.
+BAND_STREAM = SEED_WORDS["masters of the study"]
+SET_STREAM = SEED_WORDS["masters of the sets"]
 
 
 def master_generator(
