@@ -4,10 +4,10 @@ from functools import cache
 from itertools import groupby
 
 import pytest
-from answer_inputs import CASES, FORCES
-from answer_inputs import make_page as make_own_page
 from browser import HEIGHT, WIDTHS, audit_page, measure_pages, needs_browser, run_on_pages
 from html_page import Page
+from own_answers import CASES, FORCES
+from own_answers import make_page as make_own_page
 from paper_study import FRAME, claims, make_page, svg
 from repository import PAPER, ROOT
 

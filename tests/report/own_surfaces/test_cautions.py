@@ -3,10 +3,11 @@
 from dataclasses import replace
 from functools import cache
 
-import answer_inputs as inputs
 import numpy as np
+import own_datasets as own
 import pytest
 from measurements import random_map
+from own_answers import setting
 
 from hardcontact.base.arrays import generator
 from hardcontact.base.dataset import read_dataset, write_dataset
@@ -19,7 +20,7 @@ from hardcontact.surfaces.height_map import load_height_map
 
 def all_cautions(**others):
     """The cautions about the first surface."""
-    return surface_answers(inputs.datasets(**others), inputs.setting())[0].cautions
+    return surface_answers(own.datasets(**others), setting())[0].cautions
 
 
 @cache
@@ -35,7 +36,7 @@ def find_cautions(code, **others):
 
 def change_spectra(name, measurement, value):
     """`spectra` for `datasets`: one measurement has another value, or its PSD times the value."""
-    data = inputs.spectra()
+    data = own.spectra()
     data[name] = data[name].astype(object if isinstance(value, str) else float)
     scaled = data[name][0, measurement] * value if name == "psd" else value
     data[name][0, measurement] = scaled
@@ -44,13 +45,13 @@ def change_spectra(name, measurement, value):
 
 def change_forces(area=None, **variables):
     """`force` for `datasets`: with another area of contact (nm²), or other variables."""
-    data = inputs.force().assign(variables)
+    data = own.force().assign(variables)
     return {"force": data if area is None else data.assign_attrs(contact_area=area)}
 
 
 def smooth_scans():
     """`spectra` for `datasets`: scans show a tenth of the extrapolated power of short waves."""
-    data = inputs.spectra()
+    data = own.spectra()
     wavelength = 2 * np.pi / data["bin_wavevector"]
     extrapolated = data["spectrum"].interp(wavevector=data["bin_wavevector"])
     psd = data["psd"].where(wavelength >= data["shortest_measured"], extrapolated / 10)
@@ -83,10 +84,10 @@ CASES = [
     ("conditional_intervals", change_forces(**QUARTERS), False, {"correlation": 0.2, "scans": 3}),
     ("few_patches", change_forces(**FEW_PATCHES), True, {}),
     ("more_than_measured", smooth_scans(), False, {"factor": 10}),
-    ("smooth_bound", change_forces(smooth_bound=inputs.force()["force"][0]), False, {}),
+    ("smooth_bound", change_forces(smooth_bound=own.force()["force"][0]), False, {}),
     ("reading", change_spectra("notes", 0, "cropped\ntake care: a mask hides 9 pixels"), False, {}),
     ("repeated_scan", change_spectra("earlier_scan", 1, "scans/trace.spm"), True, {}),
-    ("repeated_sites", {"fit": inputs.fit().assign(look_repeated=("surface", [1]))}, True, {}),
+    ("repeated_sites", {"fit": own.fit().assign(look_repeated=("surface", [1]))}, True, {}),
     ("highest", change_spectra("highest_share", 2, 0.06), True, {"highest_share": 0.06}),
 ]  # fmt: skip
 
@@ -123,8 +124,8 @@ def test_a_caution_with_a_semicolon_stays_whole_from_the_scan_to_the_page(tmp_pa
     assert stored_scan.notes == notes
     write_dataset(joined_spectrum([stored_scan], [None]), tmp_path / "spectrum.nc")
     stored_notes = read_dataset(tmp_path / "spectrum.nc")["notes"].item()
-    datasets = inputs.datasets(**change_spectra("notes", 0, stored_notes))
-    answer = own_answer(datasets, inputs.setting())
+    datasets = own.datasets(**change_spectra("notes", 0, stored_notes))
+    answer = own_answer(datasets, setting())
     (text,) = [note["text"] for note in answer["notes"] if note["code"] == "reading"]
     assert caution in text
     measurement = answer["surfaces"][0]["measurements"][0]
@@ -132,8 +133,8 @@ def test_a_caution_with_a_semicolon_stays_whole_from_the_scan_to_the_page(tmp_pa
 
 
 def test_roughness_beyond_the_scans_is_named():
-    one_error = inputs.edges().assign_attrs(confidence=0.6827)  # of one standard error, here 0.1
-    spectra = inputs.spectra()
+    one_error = own.edges().assign_attrs(confidence=0.6827)  # of one standard error, here 0.1
+    spectra = own.spectra()
     # The last wave of the spectrum counts however small its density is.
     spectra["spectrum"][:, np.flatnonzero(spectra["spectrum"].values[0])[-1]] *= 0.01
     (tail,) = find_cautions("tail", spectra=spectra, edges=one_error)
@@ -146,9 +147,9 @@ def test_roughness_beyond_the_scans_is_named():
 
 
 def test_a_tail_of_unknown_exponent_gives_no_force():
-    data = inputs.spectra().assign(tail_known=("surface", [0]))
-    changed = inputs.datasets(spectra=data, force=inputs.scaled_extrapolated_force(short=0.5))
-    (surface,) = surface_answers(changed, inputs.setting())
+    data = own.spectra().assign(tail_known=("surface", [0]))
+    changed = own.datasets(spectra=data, force=own.scaled_extrapolated_force(short=0.5))
+    (surface,) = surface_answers(changed, setting())
     (tail,) = [caution for caution in surface.cautions if caution.code == "tail"]
     assert tail.numbers["exponent_known"].value == 0
     extrapolated_force = surface.numbers["force_extrapolated_short"]
@@ -158,7 +159,7 @@ def test_a_tail_of_unknown_exponent_gives_no_force():
 # Of 640 [576, high] nN: with MAX_LOPSIDEDNESS 2 the high end may be 640 (640/576)² = 790 nN.
 @pytest.mark.parametrize(("high", "count"), [(700.0, 0), (900.0, 1)])
 def test_a_lopsided_interval_of_few_sites_is_named(high, count):
-    data = inputs.fit()
+    data = own.fit()
     data["measured_force_interval"].loc[{"end": "high"}] = 1e-9 * high
     assert len(find_cautions("few_sites", fit=data)) == count
 
@@ -167,6 +168,6 @@ def test_a_lopsided_interval_of_few_sites_is_named(high, count):
     ("work", "count"), [(0.99 * STRONGEST_WORK, 0), (1.01 * STRONGEST_WORK, 1)]
 )
 def test_a_work_beyond_that_of_solids_is_named(work, count):
-    data = inputs.fit()
+    data = own.fit()
     data["work_by_range"] = data["work_by_range"] * 0 + work
     assert len(find_cautions("strong_work", fit=data)) == count

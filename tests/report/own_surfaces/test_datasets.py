@@ -1,7 +1,7 @@
 """Measurements of your surfaces, their names, and the wavelengths that none shows."""
 
 import numpy as np
-from answer_inputs import MEASUREMENTS, SURFACES, spectra
+from own_datasets import MEASUREMENTS, SURFACES, spectra
 
 from hardcontact.report.own_surfaces.datasets import (
     drop_padding,

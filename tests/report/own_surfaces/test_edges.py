@@ -3,7 +3,9 @@
 import numpy as np
 import pytest
 import xarray as xr
-from answer_inputs import (
+from intervals import between_multiples
+from own_answers import make_answer, numbers_of, setting
+from own_datasets import (
     CONFIDENCE,
     MEASUREMENTS,
     SURFACES,
@@ -12,16 +14,12 @@ from answer_inputs import (
     drop_interval,
     edges,
     force,
-    make_answer,
     move_edge,
-    numbers_of,
     open_edges,
     scaled_extrapolated_force,
-    setting,
     spectra,
     unresolved_edges,
-)  # fmt: skip
-from intervals import between_multiples
+)
 
 from hardcontact.base.number import Number, json_value
 from hardcontact.report.own_surfaces.answer import surface_answers

@@ -2,28 +2,29 @@
 
 import re
 
-import answer_inputs as inputs
 import numpy as np
+import own_datasets as own
 import pytest
 from html_page import Page
 from intervals import between_multiples
 from matplotlib.text import Text
+from own_answers import CASES, FORCES, make_answer, make_page
 from refusals import assert_says
 
 from hardcontact.report.figures import style
 from hardcontact.report.figures.listing import OWN_FIGURES
 from hardcontact.report.own_surfaces import figures
 
-FIRST = {"surface": inputs.SURFACES[0]}
+FIRST = {"surface": own.SURFACES[0]}
 #: Width of a figure in pixels, on a phone with a screen of 390.
 PHONE_WIDTH = 358
 #: Height of the smallest text in pixels, as of footnotes on phones.
 MIN_TEXT = 9.0
 
 
-@pytest.mark.parametrize("case", inputs.CASES)
+@pytest.mark.parametrize("case", CASES)
 def test_the_page_is_self_contained_and_describes_every_picture(case):
-    page = Page(inputs.make_page(inputs.CASES[case]))
+    page = Page(make_page(CASES[case]))
     texts = " ".join([*page.texts["main"], *page.values("alt")])
     assert not re.search(r"\bnan\b|\binf\b|None", texts)
     assert not {"link", "iframe", "object"} & set(page.attributes)
@@ -35,20 +36,18 @@ def test_the_page_is_self_contained_and_describes_every_picture(case):
 
 def headline_of(**changed):
     """The lines of the headline in one; `changed` replaces datasets."""
-    return " ".join(inputs.make_answer(inputs.datasets(**changed))["headline"])
+    return " ".join(make_answer(own.datasets(**changed))["headline"])
 
 
 @pytest.mark.parametrize(("ratio", "lead"), [(0.3, "Its roughness is not that"), (np.nan, "Short")])
 def test_a_hindcast_that_fails_or_lacks_an_octave_leaves_no_edge(ratio, lead):
-    ratios = between_multiples(
-        "hindcast_ratio", "side", [ratio, 1.0], (0.9, 1.1), inputs.CONFIDENCE
-    )
-    data = inputs.force().assign(ratios | {"hindcast_fails": ("side", [1, 0])})
+    ratios = between_multiples("hindcast_ratio", "side", [ratio, 1.0], (0.9, 1.1), own.CONFIDENCE)
+    data = own.force().assign(ratios | {"hindcast_fails": ("side", [1, 0])})
     line = headline_of(force=data)
     assert_says(line, f"partly answered. {lead}", "Short edge not known. Long edge 1.7")
     (note,) = [
         note["text"]
-        for note in inputs.make_answer(inputs.datasets(force=data))["notes"]
+        for note in make_answer(own.datasets(force=data))["notes"]
         if note["code"] == "hindcast_short"
     ]
     assert_says(note, "0.30 [0.27, 0.33]" if ratio == 0.3 else "show no octave", "below 20 nm")
@@ -56,28 +55,26 @@ def test_a_hindcast_that_fails_or_lacks_an_octave_leaves_no_edge(ratio, lead):
 
 @pytest.mark.parametrize(("high", "overlap"), [(1000.0, False), (2000.0, True)])
 def test_the_headline_says_if_the_intervals_of_the_edges_overlap(high, overlap):
-    line = headline_of(edges=inputs.move_edge(300.0, 250.0, high))
+    line = headline_of(edges=own.move_edge(300.0, 250.0, high))
     assert ("These intervals overlap, so there may be no band." in line) == overlap
 
 
 def test_the_figure_of_octaves_has_a_bar_an_octave_and_hatches_those_that_no_scan_shows():
-    figure = figures.draw_octaves(inputs.datasets(2))
+    figure = figures.draw_octaves(own.datasets(2))
     (axes,) = figure.axes
     bars = [[bar.get_height() for bar in container] for container in axes.containers]
-    np.testing.assert_array_equal(bars, [inputs.SENSITIVITIES] * 2)
+    np.testing.assert_array_equal(bars, [own.SENSITIVITIES] * 2)
     hatched = [patch for patch in axes.patches if patch.get_hatch()]
     ends = np.array([(patch.get_x(), patch.get_x() + patch.get_width()) for patch in hatched])
-    assert (
-        len(hatched) == 2 and (inputs.OCTAVES[0] < ends).all() and (ends < inputs.OCTAVES[1]).all()
-    )
+    assert len(hatched) == 2 and (own.OCTAVES[0] < ends).all() and (ends < own.OCTAVES[1]).all()
 
 
 def test_names_of_the_user_are_escaped():
     hostile = "</script><b>x</b>\"'"
-    spectra = inputs.spectra()
+    spectra = own.spectra()
     spectra["path"] = spectra["path"].astype(object) + hostile
-    topography = inputs.topography().assign(label=("surface", [hostile]))
-    text = inputs.make_page(inputs.datasets(topography=topography, spectra=spectra))
+    topography = own.topography().assign(label=("surface", [hostile]))
+    text = make_page(own.datasets(topography=topography, spectra=spectra))
     assert "<b>" not in text and "&lt;b&gt;" in text and Page(text).texts["h1"]
 
 
@@ -87,18 +84,18 @@ def lines_of(figure):
 
 
 def test_the_figure_of_cutoffs_shows_the_ratios_of_both_sides():
-    data = inputs.edges().sel(FIRST)
-    figure = figures.draw_cutoffs(inputs.datasets())
+    data = own.edges().sel(FIRST)
+    figure = figures.draw_cutoffs(own.datasets())
     curves = lines_of(figure)
     for side, (label, _) in figures.SIDE_LOOKS.items():
         ratios = data["filtered_force_ratio"].sel(side=side).dropna("cutoff_wavelength")
         x, y = curves[label].get_data()
-        assert x.tolist() == inputs.CUTOFFS[side].tolist() and y.tolist() == ratios.values.tolist()
+        assert x.tolist() == own.CUTOFFS[side].tolist() and y.tolist() == ratios.values.tolist()
 
 
 def test_spectra_are_drawn_apart_where_they_are_not_reliable():
-    data = inputs.spectra().sel(FIRST)
-    figure = figures.draw_spectra(inputs.datasets())
+    data = own.spectra().sel(FIRST)
+    figure = figures.draw_spectra(own.datasets())
     curves = lines_of(figure)
     for index, name in enumerate(("fine.spm", "coarse.spm", "line.txt")):
         x, density = curves[name].get_data()
@@ -113,14 +110,14 @@ def test_spectra_are_drawn_apart_where_they_are_not_reliable():
 
 
 def test_forces_of_both_models_are_drawn_over_the_range():
-    figure = figures.draw_forces(inputs.datasets())
+    figure = figures.draw_forces(own.datasets())
     curves = lines_of(figure)
     for model in ("plastic", "rigid"):
         x, y = curves[f"my coating, {model}"].get_data()
-        forces = 1e6 * inputs.force().sel(FIRST).sel(contact_model=model)["force"].values
-        assert x.tolist() == inputs.RHOS.tolist()
+        forces = 1e6 * own.force().sel(FIRST).sel(contact_model=model)["force"].values
+        assert x.tolist() == own.RHOS.tolist()
         np.testing.assert_allclose(y, forces)
-    unbounded = figures.draw_forces(inputs.datasets(force=inputs.drop_interval(inputs.force())))
+    unbounded = figures.draw_forces(own.datasets(force=own.drop_interval(own.force())))
     (band,) = unbounded.axes[0].collections
     assert not [path for path in band.get_paths() if len(path.vertices)]
 
@@ -128,10 +125,10 @@ def test_forces_of_both_models_are_drawn_over_the_range():
 @pytest.mark.parametrize("name", OWN_FIGURES)
 def test_figures_are_readable_on_a_phone_and_name_their_surfaces_and_units(name):
     with style.print_style():
-        figure = figures.OWN_DRAWINGS[name](inputs.CASES[inputs.FORCES])
+        figure = figures.OWN_DRAWINGS[name](CASES[FORCES])
         figure.draw_without_rendering()
     texts = [text for text in figure.findobj(Text) if text.get_visible() and text.get_text()]
     pixels_per_point = PHONE_WIDTH / (72 * figure.get_figwidth())
     assert min(text.get_fontsize() for text in texts) * pixels_per_point >= MIN_TEXT
     figure_text = " ".join(text.get_text() for text in texts)
-    assert all(f"{label} (substitute)" in figure_text for label in inputs.LABELS)
+    assert all(f"{label} (substitute)" in figure_text for label in own.LABELS)
