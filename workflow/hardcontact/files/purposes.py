@@ -6,11 +6,14 @@ preload.
 1. Keys. `exponents.masters` is 3, `exponents.radii` has four radii. Pixels and cutoffs of masters
    are those of `sets.short` and `sets.long`.
 2. Settings. `master_purposes` looks up all keys. Its `Purpose` has the `radii` 5, 62.5, 250 and
-   1000 µm, and `loadings` with 1.25 and 10 µN. Most of its fields are settings of the rule.
-3. Path. `Chunks.master_forces` of `files/chunks.py` lists a path for each substrate and each five
-   masters, here the first three: ``filtered/exponents/DIGEST/R5um+R62.5um+R250um+R1000um/
+   1000 µm, and `loadings` with 1.25 and 10 µN. `files/settings.py` takes the settings of the rule
+   from it.
+3. Path. `Chunks.master_forces` of `files/chunks.py` lists a chunk for each substrate and each five
+   masters. Its fields fill in the pattern `master_forces` of `files/paths.py`. For the three
+   masters of UNCD the path is ``filtered/exponents/DIGEST/R5um+R62.5um+R250um+R1000um/
    H25GPa-F1.25uN+H25GPa-F10uN/rho5.6nm/uncd/DIGEST/ruby/smooth/realizations-1-3.nc``. The first
-   digest is of the settings, the second of the rows of uncd in the table of surfaces.
+   digest is of the settings, the second of the rows of uncd in the table of surfaces. The sphere,
+   ruby, is smooth.
 4. Rule. `fit_exponents` in `rules/band.smk` asks for these paths, and `compute_filtered_forces` in
    `rules/masters.smk` makes them. Its inputs, `Chunks.master_inputs`, are scans and spectra,
    because the masters of `exponents` are no files.
