@@ -52,14 +52,14 @@ def test_the_change_at_an_edge_is_split_at_the_shortest_reliable_wavelength():
     log_ratios = np.log(data["filtered_force_ratio"].sel(surface=SURFACES[0], side="short"))
     low, high = log_ratios.sel(cutoff_wavelength=[40, 80]).values
     unseen = low + (high - low) * np.log(55 / 40) / np.log(2)
-    surface = datasets(edges=data).select_surface(SURFACES[0])
-    changes = reliable_and_unreliable_change(surface, "short", shortest=0, longest=80)
+    surface_data = datasets(edges=data).select_surface(SURFACES[0])
+    changes = reliable_and_unreliable_change(surface_data, "short", shortest=0, longest=80)
     np.testing.assert_allclose(changes, [high - unseen, unseen], rtol=1e-4)
     assert numbers_of(edges=data)["short_edge_measured_share"].value == pytest.approx(
         1 - unseen / high, rel=1e-4
     )
     # The longest cutoff, 320 nm, is four times the edge.
-    assert sum(reliable_and_unreliable_change(surface, "short")) == pytest.approx(
+    assert sum(reliable_and_unreliable_change(surface_data, "short")) == pytest.approx(
         np.log1p(0.1 * 4**4), rel=1e-4
     )
 

@@ -13,8 +13,8 @@ OCTAVE, SENSITIVITY = own.OCTAVES[2], own.SENSITIVITIES[2]
 
 
 def test_the_force_at_other_pairs_follows_a_power_law_within_the_ranges():
-    surface = own.datasets().select_surface(own.SURFACES[0])
-    numbers = {number.name: number for number in pair_numbers(surface.force, PAIRS)}
+    surface_data = own.datasets().select_surface(own.SURFACES[0])
+    numbers = {number.name: number for number in pair_numbers(surface_data.force, PAIRS)}
     long_range = numbers["force_of_pair_long_range"]
     # The pair has half the work, and F ~ W rho^-0.5.
     assert long_range.value == pytest.approx(own.FORCE / 2 * (10 / own.RANGE) ** -0.5)
@@ -32,8 +32,8 @@ def test_the_sensitivity_to_the_range_needs_two_ranges():
 
 def compare(**others):
     """The numbers that compare the second surface with the first, by name."""
-    data = own.datasets(2, **others)
-    reference, twin = (data.select_surface(name) for name in data.force["surface"].values)
+    datasets = own.datasets(2, **others)
+    reference, twin = (datasets.select_surface(name) for name in datasets.force["surface"].values)
     return {number.name: number for number in comparison_numbers(twin, reference)}
 
 

@@ -107,39 +107,41 @@ def surface_answers(datasets: Datasets, setting: Setting) -> list[SurfaceAnswer]
 
 
 def _surface_answer(
-    name: str, label: str, data: Datasets, reference: Datasets, setting: Setting
+    name: str, label: str, surface_data: Datasets, reference: Datasets, setting: Setting
 ) -> SurfaceAnswer:
     """Return the answer of one surface; the reference is the first surface."""
-    numbers = [*_octave_numbers(data), *edges.edge_numbers(data), *forces.force_numbers(data)]
-    if data.force["surface"].item() != reference.force["surface"].item():
-        numbers += forces.comparison_numbers(data, reference)
+    numbers = [*_octave_numbers(surface_data), *edges.edge_numbers(surface_data)]
+    numbers += forces.force_numbers(surface_data)
+    if surface_data.force["surface"].item() != reference.force["surface"].item():
+        numbers += forces.comparison_numbers(surface_data, reference)
     # A user who gave measured forces, or both range and work of adhesion, has a pair.
-    if data.fit is None and {RANGE_NAME, WORK_NAME} & set(setting.assumed):
-        numbers += forces.pair_numbers(data.force, setting.pairs)
-    if data.fit is not None and name in data.fit["surface"].values:
-        surface_fit = select_preferred_model(data.fit).sel(surface=name)
-        numbers += forces.measured_numbers(surface_fit, data)
+    if surface_data.fit is None and {RANGE_NAME, WORK_NAME} & set(setting.assumed):
+        numbers += forces.pair_numbers(surface_data.force, setting.pairs)
+    if surface_data.fit is not None and name in surface_data.fit["surface"].values:
+        surface_fit = select_preferred_model(surface_data.fit).sel(surface=name)
+        numbers += forces.measured_numbers(surface_fit, surface_data)
     named_numbers = numbers_by_name(*numbers)
     conclusion = edges.surface_conclusion(named_numbers)
-    cautions = answer_cautions(data, named_numbers)
+    cautions = answer_cautions(surface_data, named_numbers)
     named_numbers |= numbers_by_name(*_caution_numbers(cautions))
-    next_scans = edges.next_scans(named_numbers, data.spectra)
+    next_scans = edges.next_scans(named_numbers, surface_data.spectra)
     named_numbers |= numbers_by_name(
         *(scan.limit._replace(name=f"{scan.edge}_{scan.code}_limit") for scan in next_scans),
-        *_topography_numbers(data.topography),
-        *_measurement_numbers(data.spectra),
+        *_topography_numbers(surface_data.topography),
+        *_measurement_numbers(surface_data.spectra),
     )
-    source = str(data.topography["source"].item())
+    source = str(surface_data.topography["source"].item())
     return SurfaceAnswer(name, label, source, named_numbers, conclusion, cautions, next_scans)
 
 
-def _octave_numbers(data: Datasets) -> Iterator[Number]:
+def _octave_numbers(surface_data: Datasets) -> Iterator[Number]:
     """Yield the strongest octaves of one surface, and a rough sphere's share of their power."""
-    for number in strongest_octaves(data.sensitivity.isel(octave=shown_octaves(data))):
+    shown_sensitivity = surface_data.sensitivity.isel(octave=shown_octaves(surface_data))
+    for number in strongest_octaves(shown_sensitivity):
         yield number
         # A number in nm is an octave; its sensitivity follows.
-        if number.unit == "nm" and "sphere_share" in data.spectra:
-            share = octave_sphere_share(data.spectra, number.value)
+        if number.unit == "nm" and "sphere_share" in surface_data.spectra:
+            share = octave_sphere_share(surface_data.spectra, number.value)
             yield Number(f"{number.name}_sphere_share", share)
 
 

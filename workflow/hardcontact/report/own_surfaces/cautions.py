@@ -60,26 +60,26 @@ class Caution:
         self.texts = texts
 
 
-def answer_cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
+def answer_cautions(surface_data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
     """Return the cautions about the answer of one surface, the grave ones first."""
-    has_ripples = (data.edges["edge_status"] == EdgeStatus.RIPPLES).any()
+    has_ripples = (surface_data.edges["edge_status"] == EdgeStatus.RIPPLES).any()
     surface_cautions = [
-        *_blind_scans_caution(data),
-        *_defect_cautions(data.spectra, grave=True),
-        *_scan_cautions(data.spectra),
-        *_contact_cautions(data.force, numbers),
-        *_small_scan_caution(data),
-        *_few_pixels_caution(data.force),
+        *_blind_scans_caution(surface_data),
+        *_defect_cautions(surface_data.spectra, grave=True),
+        *_scan_cautions(surface_data.spectra),
+        *_contact_cautions(surface_data.force, numbers),
+        *_small_scan_caution(surface_data),
+        *_few_pixels_caution(surface_data.force),
         *_measured_force_cautions(numbers),
-        *_interval_cautions(data.force, numbers),
-        *_defect_cautions(data.spectra, grave=False),
-        *_contradiction_caution(data.spectra),
-        *_excess_roughness_caution(data.spectra),
-        *_hindcast_cautions(data),
+        *_interval_cautions(surface_data.force, numbers),
+        *_defect_cautions(surface_data.spectra, grave=False),
+        *_contradiction_caution(surface_data.spectra),
+        *_excess_roughness_caution(surface_data.spectra),
+        *_hindcast_cautions(surface_data),
         *([Caution("ripples")] if has_ripples else []),
-        _tail_caution(data),
-        *_long_wave_caution(data),
-        *_small_window_caution(data),
+        _tail_caution(surface_data),
+        *_long_wave_caution(surface_data),
+        *_small_window_caution(surface_data),
     ]
     return sorted(surface_cautions, key=lambda caution: not caution.grave)
 
@@ -123,10 +123,10 @@ def _interval_cautions(force: xr.Dataset, numbers: Mapping[str, Number]) -> Iter
         yield Caution("sphere_positions", numbers["position_factor"]._replace(name="factor"))
 
 
-def _small_window_caution(data: Datasets) -> Iterator[Caution]:
+def _small_window_caution(surface_data: Datasets) -> Iterator[Caution]:
     """Yield a caution if the window holds too little of the force at any range of adhesion."""
-    shares = data.force["window_share"]
-    answer_share = forces_at_range(data.force)["window_share"]
+    shares = surface_data.force["window_share"]
+    answer_share = forces_at_range(surface_data.force)["window_share"]
     small_shares = shares[shares < MIN_WINDOW_SHARE]
     if not small_shares.size:
         return
@@ -137,25 +137,25 @@ def _small_window_caution(data: Datasets) -> Iterator[Caution]:
     yield Caution(
         "window",
         Number("share", shown_share.item()),
-        Number("window", float(data.force.attrs["window"]), "nm"),
+        Number("window", float(surface_data.force.attrs["window"]), "nm"),
         Number("range", shown_share["rho"].item(), "nm"),
         Number("shortest_low_range", shortest_low_range, "nm"),
-        grave=answer_share.item() < 1 - data.edges.attrs["tolerance"],
+        grave=answer_share.item() < 1 - surface_data.edges.attrs["tolerance"],
     )
 
 
-def _small_scan_caution(data: Datasets) -> Iterator[Caution]:
+def _small_scan_caution(surface_data: Datasets) -> Iterator[Caution]:
     """Yield a caution if scans are smaller than contacts need, with the effect on the force."""
-    low, high = data.force["finite_scan_ratio"].values.tolist()
+    low, high = surface_data.force["finite_scan_ratio"].values.tolist()
     if high == 1:
         return
-    size = number_of(data.topography, "scan_size", "nm", name="size")
-    search_size = number_of(data.force, "search_size", "nm")
+    size = number_of(surface_data.topography, "scan_size", "nm", name="size")
+    search_size = number_of(surface_data.force, "search_size", "nm")
     share = size.value / search_size.value
     numbers = [size, search_size, Number("share", share), number_without_value("ratio", low, high)]
     if share < SMALLEST_SIZE_RATIO:
         numbers.append(Number("smallest_share", SMALLEST_SIZE_RATIO))
-    yield Caution("small_scan", *numbers, grave=low > 1 + data.edges.attrs["tolerance"])
+    yield Caution("small_scan", *numbers, grave=low > 1 + surface_data.edges.attrs["tolerance"])
 
 
 def _few_pixels_caution(force: xr.Dataset) -> Iterator[Caution]:
@@ -168,24 +168,24 @@ def _few_pixels_caution(force: xr.Dataset) -> Iterator[Caution]:
     yield Caution("few_pixels", *areas, Number("pixels", area / pixel), grave=area < pixel)
 
 
-def _hindcast_cautions(data: Datasets) -> Iterator[Caution]:
+def _hindcast_cautions(surface_data: Datasets) -> Iterator[Caution]:
     """Yield a caution on the hindcast of each side that has one, grave if it fails."""
-    if "hindcast_ratio" not in data.force:
+    if "hindcast_ratio" not in surface_data.force:
         return
     for side in SIDES:
-        force = data.force.sel(side=side)
+        force = surface_data.force.sel(side=side)
         ratio = number_of(force, "hindcast_ratio", name="ratio")
-        fails = fails_hindcast(data, side)
+        fails = fails_hindcast(surface_data, side)
         if fails or np.isfinite(ratio.value):
             start = number_of(force, "transition", "nm", name="start")
             yield Caution(f"hindcast_{side}", ratio, start, grave=fails, side=side)
 
 
-def _blind_scans_caution(data: Datasets) -> Iterator[Caution]:
+def _blind_scans_caution(surface_data: Datasets) -> Iterator[Caution]:
     """Yield a caution if the maps on which contacts are made are reliable nowhere."""
-    scans = drop_padding(data.spectra)
+    scans = drop_padding(surface_data.spectra)
     makes_contacts = (scans["kind"].values.astype(str) == "map") & np.isclose(
-        scans["pixel_size"].values ** 2, data.force["pixel_area"].item()
+        scans["pixel_size"].values ** 2, surface_data.force["pixel_area"].item()
     )
     # Where the other body is rougher, a map need not be reliable.
     makes_contacts &= scans["limited_by"].values.astype(str) != OTHER_BODY
@@ -258,11 +258,11 @@ def _excess_roughness_caution(spectra: xr.Dataset) -> Iterator[Caution]:
     yield Caution("more_than_measured", band, Number("factor", float(factor)))
 
 
-def _tail_caution(data: Datasets) -> Caution:
+def _tail_caution(surface_data: Datasets) -> Caution:
     """Return the caution on the extrapolation of the spectrum to short wavelengths."""
-    spectra = data.spectra
+    spectra = surface_data.spectra
     wavelength = 2 * np.pi / spectra["wavevector"].values[spectra["spectrum"].values > 0]
-    quantile = NormalDist().inv_cdf((1 + data.edges.attrs["confidence"]) / 2)
+    quantile = NormalDist().inv_cdf((1 + surface_data.edges.attrs["confidence"]) / 2)
     hurst = spectra["tail_hurst"].item()
     half_width = quantile * spectra["tail_hurst_error"].item()
     low, high = max(hurst - half_width, 0.0), min(hurst + half_width, 1.0)
@@ -277,18 +277,18 @@ def _tail_caution(data: Datasets) -> Caution:
     )
 
 
-def _long_wave_caution(data: Datasets) -> Iterator[Caution]:
+def _long_wave_caution(surface_data: Datasets) -> Iterator[Caution]:
     """Yield a caution on the extrapolation of the spectrum to long wavelengths, if any."""
-    rolloff = data.spectra["rolloff"].item()
+    rolloff = surface_data.spectra["rolloff"].item()
     if not np.isfinite(rolloff):
         return
     numbers = [
         Number("rolloff", rolloff, "nm", source="extrapolated"),
-        number_of(data.spectra, "longest_measured", "nm"),
+        number_of(surface_data.spectra, "longest_measured", "nm"),
     ]
-    if "sphere_share" not in data.spectra:  # Otherwise the spectrum is of both bodies.
+    if "sphere_share" not in surface_data.spectra:  # Otherwise the spectrum is of both bodies.
         numbers += [
-            Number("scan_rms_height", float(data.topography["rms_height"].mean()), "nm"),
-            number_of(data.topography, "all_scales_rms_height", "nm"),
+            Number("scan_rms_height", float(surface_data.topography["rms_height"].mean()), "nm"),
+            number_of(surface_data.topography, "all_scales_rms_height", "nm"),
         ]
     yield Caution("long_waves", *numbers)

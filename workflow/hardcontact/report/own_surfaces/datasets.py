@@ -19,7 +19,11 @@ MEASUREMENT_LENGTHS = ("size", "pixel_size", "shortest_reliable", "longest_relia
 
 
 class Datasets(NamedTuple):
-    """The datasets of all surfaces, or of one; topography and spectra may have the sphere, too."""
+    """The datasets of all surfaces, or of one.
+
+    The former are called `datasets`, the latter `surface_data`. Topography and spectra may have the
+    sphere, too.
+    """
 
     topography: xr.Dataset
     spectra: xr.Dataset
@@ -68,9 +72,9 @@ def stored_tabor_number(force: xr.Dataset) -> Number:
     return Number("tabor_parameter", force.attrs["tabor_parameter"], status=force.attrs["bodies"])
 
 
-def select_preferred_model(data: xr.Dataset) -> xr.Dataset:
+def select_preferred_model(dataset: xr.Dataset) -> xr.Dataset:
     """Return the forces, or the fit, of the preferred contact model."""
-    return data.sel(contact_model=preferred_model(data))
+    return dataset.sel(contact_model=preferred_model(dataset))
 
 
 def forces_at_range(force: xr.Dataset) -> xr.Dataset:
@@ -84,12 +88,12 @@ def drop_padding(spectra: xr.Dataset) -> xr.Dataset:
     return spectra.isel(measurement=np.isin(spectra["kind"].values.astype(str), MEASUREMENT_KINDS))
 
 
-def fails_hindcast(data: Datasets, side: str) -> bool:
+def fails_hindcast(surface_data: Datasets, side: str) -> bool:
     """Return whether the hindcast of a side fails or tests no octave; False without a hindcast.
 
     The hindcast (`own.hindcast`) tests whether artificial roughness can stand for that of a scan.
     """
-    fails = data.force.get("hindcast_fails")
+    fails = surface_data.force.get("hindcast_fails")
     return fails is not None and fails.sel(side=side).item() == 1
 
 
@@ -136,9 +140,9 @@ def octave_sphere_share(spectra: xr.Dataset, octave: float) -> float:
     return sphere_share(spectra, np.sqrt(2) * octave)
 
 
-def shown_octaves(data: Datasets) -> np.ndarray:
+def shown_octaves(surface_data: Datasets) -> np.ndarray:
     """Return a mask (octave,) of the octaves at whose middle a scan of one surface is reliable."""
-    middles = np.sqrt(2) * data.sensitivity["octave"].values
-    bands = unreliable_bands(data.spectra)
+    middles = np.sqrt(2) * surface_data.sensitivity["octave"].values
+    bands = unreliable_bands(surface_data.spectra)
     hidden = [(shortest < middles) & (middles < longest) for shortest, longest in bands]
     return np.asarray(np.logical_not(hidden).all(axis=0))

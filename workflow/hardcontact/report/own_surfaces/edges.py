@@ -65,69 +65,69 @@ def add_status(number: Number, interval_source: xr.DataArray) -> Number:
     return number._replace(status=status)
 
 
-def edge_numbers(data: Datasets) -> list[Number]:
+def edge_numbers(surface_data: Datasets) -> list[Number]:
     """Return the edges of one surface, and for each edge the share of reliable wavelengths.
 
     Edges without an interval have the computed cutoffs around them. Without a band all edges are
     NaN, and nothing else is returned.
     """
-    statuses = data.edges["edge_status"].sel(side=list(SIDES)).values.tolist()
+    statuses = surface_data.edges["edge_status"].sel(side=list(SIDES)).values.tolist()
     # No cutoff changes the force: the short edge is above all cutoffs, the long one below.
     if statuses == [EdgeStatus.OPEN_ABOVE, EdgeStatus.OPEN_BELOW]:
         return [Number(name, np.nan, "nm", status=NoValue.NO_BAND) for name in EDGE_NAMES.values()]
     numbers = []
     for side in SIDES:
-        edge = _edge_without_unreliable_ends(data, side)
-        share = reliable_share_at_edge(data, side)
+        edge = _edge_without_unreliable_ends(surface_data, side)
+        share = reliable_share_at_edge(surface_data, side)
         numbers += [edge, Number(f"{edge.name}_measured_share", share, source=edge.source)]
         if edge.status == NumberStatus.NO_INTERVAL:
-            cutoffs = computed_cutoffs(data.edges["filtered_force_ratio"].sel(side=side))
+            cutoffs = computed_cutoffs(surface_data.edges["filtered_force_ratio"].sel(side=side))
             index = np.clip(np.searchsorted(cutoffs, edge.value), 1, len(cutoffs) - 1)
             low, high = cutoffs[index - 1], cutoffs[index]
             numbers.append(number_without_value(f"{edge.name}_cutoffs", low, high, "nm"))
     return numbers
 
 
-def _edge_without_unreliable_ends(data: Datasets, side: str) -> Number:
+def _edge_without_unreliable_ends(surface_data: Datasets, side: str) -> Number:
     """Return an edge, or its bound if it is open, without interval ends where no scan is reliable.
 
     An unreliable edge has no interval. If the hindcast fails, the edge is NaN, because the
     unfiltered force rests on wrong roughness.
     """
     name = EDGE_NAMES[side]
-    side_edges = data.edges.sel(side=side)
+    side_edges = surface_data.edges.sel(side=side)
     status = side_edges["edge_status"].item()
     # Ripples leave no edge whether the hindcast fails or not.
-    if fails_hindcast(data, side) and status != EdgeStatus.RIPPLES:
+    if fails_hindcast(surface_data, side) and status != EdgeStatus.RIPPLES:
         return Number(name, np.nan, "nm", status=NoValue.NO_HINDCAST, source="unreliable")
     ends = [end.item() for end in interval_ends(side_edges, "edge")]
-    source = edge_source(data, side)
-    bands = unreliable_bands(data.spectra)
+    source = edge_source(surface_data, side)
+    bands = unreliable_bands(surface_data.spectra)
     is_known = [source != "unreliable" and not overlaps_any(end, end, bands) for end in ends]
     low, high = np.where(is_known, ends, np.nan).tolist()
     edge = Number(name, side_edges["edge"].item(), "nm", low, high, source=source)
     if not np.isfinite(edge.value):
         edge = edge._replace(value=side_edges["edge_bound"].item(), status=status)
-    return add_status(edge, data.edges["interval_source"])
+    return add_status(edge, surface_data.edges["interval_source"])
 
 
 def reliable_and_unreliable_change(
-    data: Datasets, side: str, shortest: float = 0.0, longest: float = np.inf
+    surface_data: Datasets, side: str, shortest: float = 0.0, longest: float = np.inf
 ) -> tuple[float, float]:
     """Return how much reliable, and how much unreliable wavelengths change the force.
 
     Roughness is removed on the `side`. A change is the sum of |d ln F| between `shortest` and
     `longest` (nm); ln F is interpolated linearly over the logarithm of the cutoff.
     """
-    side_edges = data.edges.sel(side=side)
+    side_edges = surface_data.edges.sel(side=side)
     cutoffs = computed_cutoffs(side_edges["filtered_force_ratio"])
     log_ratio = np.log(side_edges["filtered_force_ratio"].sel(cutoff_wavelength=cutoffs).values)
     # At the end of the extrapolated spectrum nothing is removed, and the ratio is one.
     end_index = 0 if side == "short" else len(cutoffs)
-    end = data.force["extrapolation_end"].sel(side=side).item()
+    end = surface_data.force["extrapolation_end"].sel(side=side).item()
     wavelength = np.insert(cutoffs, end_index, end)
     log_ratio = np.insert(log_ratio, end_index, 0.0)
-    bands = unreliable_bands(data.spectra)
+    bands = unreliable_bands(surface_data.spectra)
     limits = max(shortest, wavelength[0]), min(longest, wavelength[-1])
     # Between neighbouring ends all wavelengths are reliable, or none is.
     ends = np.unique(np.clip([*wavelength, *limits, *np.ravel(bands)], *limits))
@@ -142,21 +142,21 @@ def reliable_share(reliable: float, unreliable: float) -> float:
     return reliable / (reliable + unreliable) if reliable + unreliable > 0 else np.nan
 
 
-def reliable_share_at_edge(data: Datasets, side: str) -> float:
+def reliable_share_at_edge(surface_data: Datasets, side: str) -> float:
     """Return the share of reliable wavelengths in the change at an edge, NaN without an edge."""
-    edge = data.edges["edge"].sel(side=side).item()
+    edge = surface_data.edges["edge"].sel(side=side).item()
     if np.isnan(edge):
         return np.nan
     removed_band = (0.0, edge) if side == "short" else (edge, np.inf)
-    return reliable_share(*reliable_and_unreliable_change(data, side, *removed_band))
+    return reliable_share(*reliable_and_unreliable_change(surface_data, side, *removed_band))
 
 
-def edge_source(data: Datasets, side: str) -> NumberSource:
+def edge_source(surface_data: Datasets, side: str) -> NumberSource:
     """Return whether an edge rests on unreliable wavelengths, as the source of its number."""
-    side_edges = data.edges.sel(side=side)
-    bands = unreliable_bands(data.spectra)
+    side_edges = surface_data.edges.sel(side=side)
+    bands = unreliable_bands(surface_data.spectra)
     edge = float(side_edges["edge"].fillna(side_edges["edge_bound"]))
-    share = reliable_share_at_edge(data, side)
+    share = reliable_share_at_edge(surface_data, side)
     if overlaps_any(edge, edge, bands) or share < 1 - NEARLY_ALL:
         return "unreliable"
     if share < NEARLY_ALL:

@@ -97,16 +97,16 @@ def draw_maps(datasets: Datasets) -> Figure:
 def draw_cutoffs(datasets: Datasets) -> Figure:
     """Draw the force relative to the unfiltered force against the cutoff, for each surface."""
     figure, surface_panels = _surface_panels(datasets)
-    for axes, colour, data in surface_panels:
-        cutoffs = computed_cutoffs(data.edges["filtered_force_ratio"])
-        ratios = panels.value_and_interval(data.edges, "filtered_force_ratio")
+    for axes, colour, surface_data in surface_panels:
+        cutoffs = computed_cutoffs(surface_data.edges["filtered_force_ratio"])
+        ratios = panels.value_and_interval(surface_data.edges, "filtered_force_ratio")
         for side, (label, look) in SIDE_LOOKS.items():
             curve = ratios.sel(side=side, cutoff_wavelength=cutoffs)
             _draw_curve(axes, cutoffs, curve, look | {"color": colour, "label": label})
         panels.draw_tolerance(axes, datasets.edges.attrs["tolerance"])
         # If the hindcast fails, the unfiltered force rests on wrong roughness, and so do edges.
-        known_sides = [side for side in SIDE_LOOKS if not fails_hindcast(data, side)]
-        known_edges = data.edges["edge"].sel(side=known_sides).values.tolist()
+        known_sides = [side for side in SIDE_LOOKS if not fails_hindcast(surface_data, side)]
+        known_edges = surface_data.edges["edge"].sel(side=known_sides).values.tolist()
         _mark_positions(axes, known_edges, "edges of the band")
         _set_logarithmic_axes(axes, "cutoff wavelength (nm)", "force / unfiltered force", cutoffs)
         style.end_near_values(axes)
@@ -115,7 +115,7 @@ def draw_cutoffs(datasets: Datasets) -> Figure:
             style.label_logarithmic(axes.yaxis)
         else:
             axes.set_yscale("linear")
-        panels.hatch_bands(axes, unreliable_bands(data.spectra))
+        panels.hatch_bands(axes, unreliable_bands(surface_data.spectra))
     _add_legend(figure)
     return figure
 
@@ -123,20 +123,20 @@ def draw_cutoffs(datasets: Datasets) -> Figure:
 def draw_spectra(datasets: Datasets) -> Figure:
     """Draw the PSDs of each surface: of its measurements, joined, and as used for masters."""
     figure, surface_panels = _surface_panels(datasets, 3.6)
-    for axes, colour, data in surface_panels:
-        wavelengths = 2 * np.pi / data.spectra["bin_wavevector"].values
-        all_measurements = drop_padding(data.spectra)
+    for axes, colour, surface_data in surface_panels:
+        wavelengths = 2 * np.pi / surface_data.spectra["bin_wavevector"].values
+        all_measurements = drop_padding(surface_data.spectra)
         has_data = np.isfinite(all_measurements["psd"].values).any(axis=0)
         draws_all = all_measurements.sizes["measurement"] <= MAX_UNRELIABLE_CURVES
         measurements = split_measurements(all_measurements)
         for measurement, marker in zip(measurements, cycle(style.MARKERS), strict=False):
             _draw_measurement(axes, wavelengths, measurement, marker, draws_all)
-        used_density = _used_density(data.spectra)[has_data]
-        joined_density = data.spectra["joined_psd"].values[has_data]
+        used_density = _used_density(surface_data.spectra)[has_data]
+        joined_density = surface_data.spectra["joined_psd"].values[has_data]
         axes.plot(wavelengths[has_data], used_density, color=colour, label="used")
         axes.plot(wavelengths[has_data], joined_density, **JOINED_LOOK, label="joined")
         _set_logarithmic_axes(axes, "wavelength (nm)", "isotropic PSD (nm⁴)", wavelengths[has_data])
-        panels.hatch_bands(axes, unreliable_bands(data.spectra))
+        panels.hatch_bands(axes, unreliable_bands(surface_data.spectra))
         axes.legend(loc="lower right")
     return figure
 

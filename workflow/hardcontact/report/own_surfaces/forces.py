@@ -32,17 +32,17 @@ from hardcontact.surfaces.synthesis import SIDES
 WAVEVECTORS_PER_OCTAVE = 33
 
 
-def force_numbers(data: Datasets) -> list[Number]:
+def force_numbers(surface_data: Datasets) -> list[Number]:
     """Return the forces of one surface at the configured range, and numbers that explain them."""
-    force = data.force
+    force = surface_data.force
     forces = forces_at_range(force)
     quantiles = forces["force_quantile"]  # The outermost stored quantiles are nearest to 0 and 1.
     lowest, median, highest = quantiles.sel(quantile=[0, 0.5, 1], method="nearest").values.tolist()
     smooth = dmt_pull_off(force.attrs["work_of_adhesion"], force.attrs["sphere_radius"])
     return [
         add_status(number_of(forces, "force", name="mean_force"), force["interval_source"]),
-        _mean_force_measured_share(data),
-        *_extrapolated_forces(data),
+        _mean_force_measured_share(surface_data),
+        *_extrapolated_forces(surface_data),
         Number("median_force", median, "N"),
         number_without_value("middle_forces", lowest, highest, "N"),
         Number("force_middle_share", float(np.ptp(quantiles["quantile"].values))),
@@ -56,26 +56,26 @@ def force_numbers(data: Datasets) -> list[Number]:
     ]
 
 
-def _mean_force_measured_share(data: Datasets) -> Number:
+def _mean_force_measured_share(surface_data: Datasets) -> Number:
     """Return the share of reliable wavelengths in the change of the force by roughness.
 
     The source is "measured" if unreliable wavelengths change the force within the tolerance.
     """
-    reliable, unreliable = reliable_and_unreliable_change(data, "short")
+    reliable, unreliable = reliable_and_unreliable_change(surface_data, "short")
     share = reliable_share(reliable, unreliable)
     source: NumberSource = "unreliable" if share < 1 - NEARLY_ALL else "partly_unreliable"
-    if unreliable <= np.log1p(data.edges.attrs["tolerance"]):
+    if unreliable <= np.log1p(surface_data.edges.attrs["tolerance"]):
         source = "measured"
     return Number("mean_force_measured_share", share, source=source)
 
 
-def _extrapolated_forces(data: Datasets) -> list[Number]:
+def _extrapolated_forces(surface_data: Datasets) -> list[Number]:
     """Return the forces with extrapolated roughness, and the wavelengths between which it lies."""
     numbers = []
-    for side in differing_sides(data.force):
-        force = data.force.sel(side=side)
+    for side in differing_sides(surface_data.force):
+        force = surface_data.force.sel(side=side)
         name = f"force_extrapolated_{side}"
-        number = extrapolated_number(force, "extrapolated_force", name, data)
+        number = extrapolated_number(force, "extrapolated_force", name, surface_data)
         numbers += [
             add_status(number, force["extrapolated_force_interval_source"]),
             number_of(force, "transition", "nm", name=f"{name}_start"),
@@ -84,12 +84,14 @@ def _extrapolated_forces(data: Datasets) -> list[Number]:
     return numbers
 
 
-def differing_sides(data: xr.Dataset) -> list[str]:
+def differing_sides(dataset: xr.Dataset) -> list[str]:
     """Return the sides at which force.nc or fit.nc states that extrapolation changes the force."""
-    return [side for side in SIDES if data["extrapolation_matters"].sel(side=side).item() == 1]
+    return [side for side in SIDES if dataset["extrapolation_matters"].sel(side=side).item() == 1]
 
 
-def extrapolated_number(side_data: xr.Dataset, variable: str, name: str, data: Datasets) -> Number:
+def extrapolated_number(
+    side_data: xr.Dataset, variable: str, name: str, surface_data: Datasets
+) -> Number:
     """Return the force, or the work of adhesion, with roughness extrapolated at one side.
 
     NaN if nothing supports the extrapolation: a hindcast fails, or the exponent is not known.
@@ -97,9 +99,9 @@ def extrapolated_number(side_data: xr.Dataset, variable: str, name: str, data: D
     number = number_of(side_data, variable, name=name, source="extrapolated")
     side = str(side_data["side"].item())
     unknown = Number(name, np.nan, number.unit, source=number.source)
-    if fails_hindcast(data, side):
+    if fails_hindcast(surface_data, side):
         return unknown._replace(status=NoValue.NO_HINDCAST)
-    if side == "short" and data.spectra["tail_known"].item() != 1:
+    if side == "short" and surface_data.spectra["tail_known"].item() != 1:
         return unknown._replace(status=NoValue.NO_EXPONENT)
     return number
 
@@ -142,9 +144,9 @@ def pair_numbers(force: xr.Dataset, pairs: Sequence[Mapping[str, Any]]) -> list[
     return numbers
 
 
-def comparison_numbers(data: Datasets, reference: Datasets) -> Iterator[Number]:
+def comparison_numbers(surface_data: Datasets, reference: Datasets) -> Iterator[Number]:
     """Yield the ratio of the forces on a surface and a reference, and the octaves that cause it."""
-    force = number_of(forces_at_range(data.force), "force")
+    force = number_of(forces_at_range(surface_data.force), "force")
     reference_force = number_of(forces_at_range(reference.force), "force")
     ratio = force.value / reference_force.value
     # Scans are independent, so that the errors of both logarithms add in squares. The ratio is low
@@ -153,7 +155,7 @@ def comparison_numbers(data: Datasets, reference: Datasets) -> Iterator[Number]:
     low, high = float(ratio * np.exp(-fall)), float(ratio * np.exp(rise))
     status = NumberStatus.PLAIN if np.isfinite([low, high]).any() else NumberStatus.NO_INTERVAL
     yield Number("force_over_reference", ratio, "1", low, high, status)
-    octaves, contributions = _octave_contributions(data, reference)
+    octaves, contributions = _octave_contributions(surface_data, reference)
     # Positive where an octave changes the ratio in the direction of the whole change.
     aligned = contributions * np.log(ratio)
     strongest = [index for index in np.argsort(-aligned)[:NAMED_OCTAVE_COUNT] if aligned[index] > 0]
@@ -169,29 +171,30 @@ def _log_distances(number: Number) -> Floats:
         return np.abs(np.log(np.array([number.low, number.high]) / number.value))
 
 
-def _octave_contributions(data: Datasets, reference: Datasets) -> tuple[Floats, Floats]:
+def _octave_contributions(surface_data: Datasets, reference: Datasets) -> tuple[Floats, Floats]:
     """Return octaves that scans of both surfaces show, and their contributions to ln(force ratio).
 
     An octave is given by its shortest wavelength in nm. A contribution is the difference of
     ln(amplitude) times the mean sensitivity d ln F / d ln a.
     """
-    is_shown = shown_octaves(data) & shown_octaves(reference)
-    octaves = data.sensitivity["octave"].values[is_shown]
-    sensitivities = [surface.sensitivity["octave_sensitivity"] for surface in (data, reference)]
-    amplitude_ratio = _octave_amplitudes(data, octaves) / _octave_amplitudes(reference, octaves)
-    contributions = np.mean(sensitivities, axis=0)[is_shown] * np.log(amplitude_ratio)
+    is_shown = shown_octaves(surface_data) & shown_octaves(reference)
+    octaves = surface_data.sensitivity["octave"].values[is_shown]
+    both = (surface_data, reference)
+    sensitivities = [surface_data.sensitivity["octave_sensitivity"] for surface_data in both]
+    amplitudes = [_octave_amplitudes(surface_data, octaves) for surface_data in both]
+    contributions = np.mean(sensitivities, axis=0)[is_shown] * np.log(amplitudes[0] / amplitudes[1])
     is_known = np.isfinite(contributions)
     return octaves[is_known], contributions[is_known]
 
 
-def _octave_amplitudes(data: Datasets, octaves: Floats) -> Floats:
+def _octave_amplitudes(surface_data: Datasets, octaves: Floats) -> Floats:
     """Return the rms heights (octave,) in nm of the waves of each octave of one surface."""
-    spectrum = spectrum_of_dataset(data.spectra)
+    spectrum = spectrum_of_dataset(surface_data.spectra)
     q = 2 * np.pi / octaves[:, None] * np.geomspace(0.5, 1, WAVEVECTORS_PER_OCTAVE)
     return np.asarray(np.sqrt(np.trapezoid(q * spectrum(q), q) / (2 * np.pi)))
 
 
-def measured_numbers(fit: xr.Dataset, data: Datasets) -> list[Number]:
+def measured_numbers(fit: xr.Dataset, surface_data: Datasets) -> list[Number]:
     """Return a surface's measured force, and works that fit it, also on extrapolated roughness."""
     fit_at_range = fit.sel(rho_fine=fit.attrs["rho"], method="nearest")
     numbers = [
@@ -205,7 +208,7 @@ def measured_numbers(fit: xr.Dataset, data: Datasets) -> list[Number]:
         side_fit = fit.sel(side=side)
         name = f"extrapolated_work_{side}"
         numbers += [
-            extrapolated_number(side_fit, "extrapolated_work", name, data),
+            extrapolated_number(side_fit, "extrapolated_work", name, surface_data),
             number_of(side_fit, "transition", "nm", name=f"{name}_start"),
         ]
     return numbers
