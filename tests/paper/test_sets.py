@@ -4,13 +4,22 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
-from known_masters import master_ratios
-from paper_numbers import CLAIMS, CONSTANTS, MEAN_FORCE, SUBSTRATES, SURFACES, TABLE1
+from paper_numbers import CLAIMS, CONSTANTS, MEAN_FORCE, SUBSTRATES, WORK
+from set_inputs import (
+    CONFIDENCE,
+    CONTACTS,
+    MODELS,
+    RHO,
+    SCANS,
+    SPHERE_FACTORS,
+    make_adhesion,
+    make_inputs,
+    make_masters,
+)
 
 from hardcontact.base.statistics import Sampling
 from hardcontact.inference.published_fit import PublishedForces, fit_published
 from hardcontact.paper.sets import (
-    SetInputs,
     SetSettings,
     adhesion_of_set,
     sample_masters,
@@ -19,113 +28,7 @@ from hardcontact.paper.sets import (
     sphere_factor,
     topography_of_set,
 )
-from hardcontact.surfaces.metrics import METRICS, TABLE1_METRICS
-from hardcontact.surfaces.topography import scan_averages
-
-CONFIDENCE, SCANS, CONTACTS = 0.95, 5, 3
-WORK = 46.3e-3  # J/m², published
-RADIUS, RHO, MODELS = 250e3, [0.05, 2.0, 4.0, 5.6, 8.0], ["rigid", "plastic"]
-CUTOFFS = np.array([20.0, 43.0, 120.0, 500.0, 1800.0, 3500.0])
-AXES = ("contact_model", "rho", "contact_y", "contact_x")
-HEIGHTS = dict(zip(SUBSTRATES, TABLE1["afm_rms_height"][0], strict=True))
-#: Forces (contact_model, rho) relative to that of plastic contact at 5.6 nm.
-CURVES = np.outer([0.5, 1.0], (np.array(RHO) / 5.6) ** 0.5)
-
-
-def contact_coordinates(contacts):
-    """Return the coordinates of forces with a number of contacts per row."""
-    numbers = range(contacts)
-    return {"contact_model": MODELS, "rho": RHO, "contact_y": numbers, "contact_x": numbers}
-
-
-def scan_metrics(rng, heights):
-    """Return METRICS (scan) of scans of these rms heights in nm."""
-    return {
-        name: ("scan", heights * rng.uniform(0.5, 1.5), {"units": unit})
-        for name, (unit, _) in METRICS.items()
-    } | {"rms_height": ("scan", heights, {"units": "nm"})}
-
-
-def make_pool(surface):
-    """Return a pool whose forces fall with the height, near those of the paper."""
-    rng = np.random.default_rng(SUBSTRATES.index(surface))
-    mean = HEIGHTS[surface]
-    force_heights = mean * np.linspace(0.3, 1.8, 5)
-    force = MEAN_FORCE[SUBSTRATES.index(surface)] / WORK
-    log_force = (
-        np.log(force * CURVES)[:, :, None, None]
-        - (force_heights / mean - 1)[:, None, None, None, None]
-        + rng.normal(0, 0.5, (12, 1, 1, 1, CONTACTS, CONTACTS))
-    )
-    return xr.Dataset(
-        scan_metrics(rng, mean * rng.uniform(0.8, 1.2, 12))
-        | {"log_force": (("scan", "rms_height_of_force", *AXES), log_force)},
-        {"scan": range(1, 13), "rms_height_of_force": force_heights}
-        | contact_coordinates(CONTACTS),
-        {"mean_rms_height": mean, "rms_height_deviation": 0.2 * mean},
-    )
-
-
-def make_topography(measured_surfaces=()):
-    """Return the roughness of SCANS scans of each surface, 0.5 nm on the ruby."""
-    rng = np.random.default_rng(10)
-    surface_metrics = [
-        xr.Dataset(scan_metrics(rng, HEIGHTS.get(name, 0.5) * np.linspace(0.9, 1.1, SCANS)))
-        for name in SURFACES
-    ]
-    scans = xr.concat(surface_metrics, pd.Index(SURFACES, name="surface"))
-    scans = scans.assign_coords(scan=range(1, SCANS + 1))
-    source = ["measured" if name in measured_surfaces else "substitute" for name in SURFACES]
-    descriptions = {"label": SURFACES, "source": source, "table1_rows_met": [""] * len(SURFACES)}
-    return (
-        xr.merge([scans, scan_averages(scans, CONFIDENCE)])
-        .assign({f"all_scales_{name}": ("surface", np.ones(len(SURFACES))) for name in METRICS})
-        .assign({name: ("surface", values) for name, values in descriptions.items()})
-        .assign_attrs(confidence=CONFIDENCE, sphere_surface="ruby")
-    )
-
-
-def make_adhesion():
-    """Return forces on two scans of the sphere, with more contacts than in the pools."""
-    rng = np.random.default_rng(11)
-    force = MEAN_FORCE[:, None, None] * CURVES
-    scatter = rng.normal(0, 0.5, (4, SCANS, 2, 1, 1, 4, 4))
-    forces = force[:, None, None, :, :, None, None] / WORK * np.exp(scatter)
-    return xr.Dataset(
-        {
-            "pull_off_force": (("surface", "scan", "sphere_scan", *AXES), forces, {"units": "N"}),
-            "contact_pixel_count": ("contact_model", [1, 17]),
-            "label": ("surface", SUBSTRATES),
-            "source": ("surface", ["substitute"] * 4),
-        },
-        {"surface": SUBSTRATES, "scan": range(1, SCANS + 1), "sphere_scan": [1, 2]}
-        | contact_coordinates(4),
-        {"rho": 5.6, "sphere_radius": RADIUS, "pixel_size": 5.0, "work_of_adhesion": 1.0},
-    )
-
-
-def make_masters():
-    """Return ratios that on average differ from one by 10 % at 43 nm and at 1.8 µm."""
-    rng = np.random.default_rng(12)
-    slope = rng.uniform(0.5, 1.5, (4, 6, 1))
-    ratio = np.full((4, 6, 2, len(CUTOFFS)), np.nan)
-    ratio[:, :, 0, :3] = 1 + 0.1 * slope * CUTOFFS[:3] / 43
-    ratio[:, :, 1, 3:] = 1 - 0.1 * slope * 1800 / CUTOFFS[3:]
-    return master_ratios(ratio, CUTOFFS, SUBSTRATES, shortest=2.44)
-
-
-def make_inputs(measured_surfaces=()):
-    """Return inputs of sets; measured surfaces have no pool."""
-    factor = xr.DataArray(
-        np.full((2, 4, len(RHO)), [[[0.9]], [[0.95]]]),
-        {"contact_model": MODELS, "surface": SUBSTRATES, "rho": RHO},
-        ("contact_model", "surface", "rho"),
-    )
-    pools = {name: make_pool(name) for name in SUBSTRATES if name not in measured_surfaces}
-    return SetInputs(
-        make_topography(measured_surfaces), make_adhesion(), pools, {}, factor, make_masters()
-    )
-
+from hardcontact.surfaces.metrics import TABLE1_METRICS
 
 SETTINGS = SetSettings(
     seed=1, set_count=2, master_count=5, reference_surface="uncd", tolerance=0.1,
@@ -174,7 +77,7 @@ def test_topography_of_a_set_replaces_only_sampled_scans():
         assert mean == pytest.approx(sampled_scans["uncd"][name].mean().item(), rel=1e-12)
         kept = {"surface": ["mcd", "ruby"]}
         np.testing.assert_array_equal(topography[name].sel(kept), study[name].sel(kept))
-    # From Table 1 and `make_pool`.
+    # The mean in Table 1, and a fifth of it (`set_inputs.make_pool`).
     mean_height = topography["rms_height_mean"].sel(surface="uncd").item()
     assert mean_height == pytest.approx(17.4, rel=1e-12)
     assert topography["rms_height_std"].sel(surface="uncd").item() == pytest.approx(3.48)
@@ -190,8 +93,8 @@ def test_forces_on_sampled_scans_are_multiplied_by_the_factor_of_the_rough_spher
     assert adhesion.attrs == inputs.adhesion.attrs
     for surface, scans in sampled_scans.items():
         ratio = adhesion["pull_off_force"].sel(surface=surface) / scans["pull_off_force"]
-        np.testing.assert_allclose(ratio.sel(contact_model="rigid"), 0.9, rtol=1e-12)
-        np.testing.assert_allclose(ratio.sel(contact_model="plastic"), 0.95, rtol=1e-12)
+        for model, factor in zip(MODELS, SPHERE_FACTORS, strict=True):
+            np.testing.assert_allclose(ratio.sel(contact_model=model), factor, rtol=1e-12)
 
 
 def test_forces_on_measured_scans_change_by_one_factor_per_contact_model_and_range():
