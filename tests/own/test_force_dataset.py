@@ -145,7 +145,7 @@ MASTER_FORCES = filtered_forces([[SHORT, LONG]]).assign(transition=("side", [20.
 def extrapolated_forces_of(patches=99):
     """Extrapolated forces from masters of one scan, whose contacts touch a number of patches."""
     master_scans = MasterScans(scan_counts={"a": 1}, tiles=2, touched_patches={"a": patches})
-    return force_dataset._find_extrapolated_forces(
+    return force_dataset._forces_on_masters(
         MASTER_FORCES, master_scans, CONTACT.work, confidence=0.95
     )
 

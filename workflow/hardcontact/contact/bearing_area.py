@@ -169,17 +169,12 @@ class _Windows:
         cell_row = (group_row[:, None] * GROUP_CELLS + np.arange(GROUP_CELLS))[:, :, None]
         cell_column = (group_column[:, None] * GROUP_CELLS + np.arange(GROUP_CELLS))[:, None, :]
         number = contact_numbers[:, None, None]
-        bounds = (
-            self.sphere_minima[number, 0, cell_row] + self.sphere_minima[number, 1, cell_column]
-        )
-        bounds -= self.substrate_cells.maxima[
-            self.index[number, 0, cell_row], self.index[number, 1, cell_column]
-        ]
+        along_y, along_x = (number, 0, cell_row), (number, 1, cell_column)
+        bounds = self.sphere_minima[along_y] + self.sphere_minima[along_x]
+        bounds -= self.substrate_cells.maxima[self.index[along_y], self.index[along_x]]
         if self.sphere_roughness is not None and self.roughness_maxima is not None:
             sphere_cells = self.offset % self.sphere_roughness.pixels // CELL_PIXELS
-            bounds -= self.roughness_maxima[
-                sphere_cells[number, 0, cell_row], sphere_cells[number, 1, cell_column]
-            ]
+            bounds -= self.roughness_maxima[sphere_cells[along_y], sphere_cells[along_x]]
         number, cell_row, cell_column = np.broadcast_arrays(number, cell_row, cell_column)
         return WindowCells(number.ravel(), cell_row.ravel(), cell_column.ravel(), bounds.ravel())
 

@@ -87,9 +87,7 @@ def compute_force_dataset(
     adhesion, filtered_forces, topography, spectra, hindcast = inputs
     scan_sizes = topography["scan_size"].to_series().to_dict()
     dataset = _forces_on_scans(adhesion, contact, scan_sizes, confidence)
-    extrapolated = _find_extrapolated_forces(
-        filtered_forces, master_scans, contact.work, confidence
-    )
+    extrapolated = _forces_on_masters(filtered_forces, master_scans, contact.work, confidence)
     dataset = _add_extrapolated_forces(dataset, extrapolated, tolerance)
     dataset = _widen_intervals(dataset, hindcast)
     dataset = _bound_by_smooth_sphere(dataset, contact.area)
@@ -165,7 +163,7 @@ def _force_variables(
     )
 
 
-def _find_extrapolated_forces(
+def _forces_on_masters(
     forces: xr.Dataset, master_scans: MasterScans, work: float, confidence: float
 ) -> xr.Dataset:
     """Return the mean force (surface, side) in N on unfiltered masters; `forces` are at 1 J/m².

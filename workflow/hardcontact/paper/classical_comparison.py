@@ -99,9 +99,7 @@ def _forces_by_source(fit: xr.Dataset, printed_means: "pd.Series[str]") -> dict[
     }
 
 
-def _effective_works(
-    forces: Mapping[str, Floats], radius: float, tabor: float
-) -> dict[str, Floats]:
+def _effective_works(forces: dict[str, Floats], radius: float, tabor: float) -> dict[str, Floats]:
     """Return the effective works of adhesion (surface, 3) of forces, by the same source."""
     coefficient = hertz_jkr_dmt.pull_off_coefficient(hertz_jkr_dmt.maugis_parameter(tabor))
     return {

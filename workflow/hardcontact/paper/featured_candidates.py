@@ -50,10 +50,9 @@ def compute_candidates(
 ) -> xr.Dataset:
     """Return features, roughness and `smooth_sphere_forces` of candidates of a kind of features."""
     candidates = []
+    scan_numbers = range(1, scan_count + 1)
     for number in progress(candidate_numbers, len(candidate_numbers), "surfaces with features"):
-        features, scans = sample_featured_scans(
-            featured, feature_kind, range(1, scan_count + 1), number
-        )
+        features, scans = sample_featured_scans(featured, feature_kind, scan_numbers, number)
         scan_results = {}
         for index, scan in enumerate(map(level_plane, scans), 1):
             forces = smooth_sphere_forces(scan, contact, ranges)

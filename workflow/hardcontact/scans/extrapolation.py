@@ -199,18 +199,16 @@ def extrapolate_short_waves(
     start_density = np.exp(np.mean(np.log(density[-MIN_BINS:] * relative_wavevector**-tail_slope)))
     last_index = measured_density.nonzero()[0][-1]
     tail_start = measured_density.copy()
-    tail_start[last_index] = (
-        start_density * (WAVEVECTORS[last_index] / wavevector[-1]) ** tail_slope
-    )
+    relative_start = WAVEVECTORS[last_index] / wavevector[-1]
+    tail_start[last_index] = start_density * relative_start**tail_slope
     endless_density = measured_density + power_law_tail(tail_start, exponent, ATOMIC_WAVELENGTH)
     end_index, ended_by = _find_tail_end(endless_density)
     is_before_end = np.arange(len(WAVEVECTORS)) <= max(end_index, last_index)
     extrapolated_density = np.where(is_before_end, endless_density, 0.0)
     if end_index <= last_index:
         return extrapolated_density, Tail(tail_ended_by=ended_by)
-    return extrapolated_density, Tail(
-        exponent, hurst_fit.error, hurst_fit.shortest, hurst_fit.longest, ended_by
-    )
+    tail = Tail(exponent, hurst_fit.error, hurst_fit.shortest, hurst_fit.longest, ended_by)
+    return extrapolated_density, tail
 
 
 def _find_tail_end(density: Floats) -> tuple[int, TailEnd]:
@@ -307,12 +305,10 @@ class RolloffEvidence:
         # A priori the logarithm of the roll-off is uniform, so that the posterior of these
         # roll-offs is proportional to their likelihoods.
         rolloffs = np.geomspace(longest, MAX_ROLLOFF_OVER_SIZE * self._size, ROLLOFF_COUNT)
-        log_likelihoods = np.array(
-            [
-                self._log_likelihood(extrapolate_long_waves(density, longest, slope, rolloff))
-                for rolloff in rolloffs
-            ]
-        )
+        extended = [
+            extrapolate_long_waves(density, longest, slope, rolloff) for rolloff in rolloffs
+        ]
+        log_likelihoods = np.array([self._log_likelihood(density) for density in extended])
         posterior = np.exp(log_likelihoods - log_likelihoods.max())
         # Half of the probability of a roll-off counts as below it.
         cumulative = (np.cumsum(posterior) - posterior / 2) / posterior.sum()

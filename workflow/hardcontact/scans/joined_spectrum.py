@@ -110,9 +110,8 @@ def _find_peaks(
     while True:
         curve = smooth_curve(np.where(is_peak, np.nan, density), mode_variance)
         smooth_density = Spectrum(curve.wavevector, curve.density)(BIN_CENTRES[inner])
-        probability = scipy.special.gammaincc(
-            modes, modes * arithmetic_mean[inner] / smooth_density
-        )
+        gamma_variable = modes * arithmetic_mean[inner] / smooth_density
+        probability = scipy.special.gammaincc(modes, gamma_variable)
         new_peaks = inner[(probability < PEAK_PROBABILITY) & ~is_peak[inner]]
         if not len(new_peaks):
             return is_peak

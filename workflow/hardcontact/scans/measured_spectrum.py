@@ -147,10 +147,8 @@ def _smooth_falling_spectrum(
     covariance = (weight * distance) @ log_density - mean_distance * mean_log_density
     slope = covariance / variance
     smooth_log_density = mean_log_density - slope * mean_distance
-    falling = scipy.optimize.isotonic_regression(
-        smooth_log_density, weights=modes, increasing=False
-    )
-    return np.asarray(falling.x), float(slope[-1])
+    result = scipy.optimize.isotonic_regression(smooth_log_density, weights=modes, increasing=False)
+    return np.asarray(result.x), float(slope[-1])
 
 
 def _inverse_abel(log_q: Floats, log_density: Floats, last_slope: float) -> Floats:

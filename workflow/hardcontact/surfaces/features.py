@@ -180,9 +180,8 @@ def add_features(
         distance = (distance + height_map.size / 2) % height_map.size - height_map.size / 2
     shape_y, shape_x = np.exp(-(distance**2) / (2 * features.width**2))
     feature_heights = (features.height * shape_y.T) @ shape_x
-    return replace(
-        height_map, heights=height_map.heights + feature_heights.astype(height_map.heights.dtype)
-    )
+    heights = height_map.heights + feature_heights.astype(height_map.heights.dtype)
+    return replace(height_map, heights=heights)
 
 
 class FeaturedSurface(NamedTuple):
@@ -271,20 +270,17 @@ def nearest_featured_scans(
     The nearest have the smallest sum of squared `standardized_differences`.
     """
     choices = []
+    scan_count = len(scan_numbers)
+    first_number = scan_numbers[0]  # It seeds the features of a batch of scans.
     for sample_number in range(PERMITTED_SAMPLES):
         feature_kind = alternating_feature_kind(sample_number)
-        # The first scan number seeds the features of a batch of scans.
-        features = featured.sample_features(
-            feature_kind, len(scan_numbers), scan_numbers[0], sample_number
-        )
+        features = featured.sample_features(feature_kind, scan_count, first_number, sample_number)
         added = feature_squares(features.height, features.width, featured.substitute.grid.size)
         rms_values = featured_rms(features.base_factor, features.counts, added, featured.statistics)
         differences = standardized_differences(rms_values, featured.statistics)
         choices.append((float(np.linalg.norm(differences)), feature_kind, sample_number))
     _, feature_kind, sample_number = min(choices)
-    return sample_featured_scans(
-        featured, feature_kind, scan_numbers, scan_numbers[0], sample_number
-    )
+    return sample_featured_scans(featured, feature_kind, scan_numbers, first_number, sample_number)
 
 
 def make_featured_scans(

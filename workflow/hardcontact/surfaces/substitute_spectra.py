@@ -191,9 +191,8 @@ def calibrate_tail(
         return excess(find_hurst(shortest), shortest, 1)
 
     low, high = TAIL_HURST_BOUNDS
-    possible_ends = [  # from long to short
-        end for end in ends if excess(low, end, 0) > 0 > excess(high, end, 0)
-    ]
+    # These are sorted from long to short.
+    possible_ends = [end for end in ends if excess(low, end, 0) > 0 > excess(high, end, 0)]
     if not possible_ends:
         raise refusal
     longest_end, shortest_end = possible_ends[0], possible_ends[-1]
