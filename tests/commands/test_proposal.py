@@ -19,7 +19,7 @@ from hardcontact.commands.request import ScanFile
 from hardcontact.config.configuration import numeric_configuration, set_keys
 from hardcontact.config.limits import refuse_unfit_values
 from hardcontact.contact.contact import Contact
-from hardcontact.scans.reliable_band import ReliableBand
+from hardcontact.scans.reliable_wavelengths import ReliableWavelengths
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_WIDTH
 
@@ -38,7 +38,7 @@ def user_scan(size=2500.0, pixels=512, rms=17.0, surface="a", **others):
     fields = {
         "dataset": "", "channel": "height", "file_unit": "nm", "kind": "map",
         "peak_to_valley": 6 * rms, "relief": 8 * rms, "tip_radius": None, "is_tip_given": False,
-        "reliable_band": ReliableBand(4 * size / pixels, size / 3, "pixels"),
+        "reliable_wavelengths": ReliableWavelengths(4 * size / pixels, size / 3, "pixels"),
         "density": density(size, size / pixels, rms), "undefined_count": 0, "notes": (),
         "defects": {},
         "coarse_map": HeightMap(np.zeros((2, 2)), size / 2),
@@ -56,7 +56,7 @@ def user_contact(radius=250e3, preload=1e-5, hardness=25e9, rho=5.6):
 
 # Scans that contacts are made on
 
-BLIND = ReliableBand(3000.0, 2000.0, "tip")
+BLIND = ReliableWavelengths(3000.0, 2000.0, "tip")
 # Search sizes, of which scans need twice: 1.67, 3.19, 13.8 um at rms heights of 4, 17, 400 nm.
 SIZES = [500, 1000, 5000, 5000, 10000, 20000]
 BALL = [user_scan(size, rms=1.0, surface="sphere") for size in (2500, 2500, 6000)]
@@ -74,8 +74,8 @@ BALL = [user_scan(size, rms=1.0, surface="sphere") for size in (2500, 2500, 6000
         ([user_scan(100e3), user_scan(5000)], 250e3, {5000: 1}),
         ([user_scan(100e3), user_scan(300e3)], 250e3, {100000: 1}),
         # Scans without a reliable wavelength come last, and line scans make no contacts.
-        ([user_scan(6000, reliable_band=BLIND), user_scan(2500)], 250e3, {2500: 1}),
-        ([user_scan(6000, reliable_band=BLIND)], 250e3, {6000: 1}),
+        ([user_scan(6000, reliable_wavelengths=BLIND), user_scan(2500)], 250e3, {2500: 1}),
+        ([user_scan(6000, reliable_wavelengths=BLIND)], 250e3, {6000: 1}),
         ([user_scan(1e5, 3000, kind="line scan"), user_scan()], 250e3, {2500: 1}),
         # Surfaces are compared on one grid where they have one in common.
         (
@@ -128,8 +128,8 @@ def random_scans(draw):
     size, pixels = draw(random_between(100, 1e5)), draw(st.integers(64, 2048))
     rms = draw(random_between(0.1, size / 10))
     shortest = draw(random_between(2, 2 * pixels)) * size / pixels
-    band = ReliableBand(shortest, size / 3, "tip")
-    return [user_scan(size, pixels, rms, reliable_band=band)] * draw(st.integers(1, 5))
+    waves = ReliableWavelengths(shortest, size / 3, "tip")
+    return [user_scan(size, pixels, rms, reliable_wavelengths=waves)] * draw(st.integers(1, 5))
 
 
 def check_refusal(line, scan, contact):
@@ -200,7 +200,7 @@ def test_ranges_of_adhesion_lie_apart_however_short_a_range_scans_permit(preload
 
 @pytest.mark.parametrize(("shortest", "transition"), [(120.0, "120 nm"), (2000.0, "1000 nm")])
 def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transition):
-    scan = user_scan(reliable_band=ReliableBand(shortest, 833.0, "tip"))
+    scan = user_scan(reliable_wavelengths=ReliableWavelengths(shortest, 833.0, "tip"))
     choices = propose_keys([scan], None, user_contact()).choices
     assert {choice.key: choice.value for choice in choices}["band.short.transition"] == transition
 
@@ -208,7 +208,7 @@ def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transi
 @pytest.mark.parametrize(
     ("scan", "contact", "message_parts"),
     [
-        (user_scan(reliable_band=BLIND), user_contact(), ["at no wavelength: the tip at 3 µm"]),
+        (user_scan(reliable_wavelengths=BLIND), user_contact(), ["no wavelength: the tip at 3 µm"]),
         # A relief of 5600 nm permits ranges from a 500th, 11.2 nm.
         (user_scan(20000, rms=700.0), user_contact(), ["11.2 nm, not the usual 5.6 nm"]),
         # erf(1000 nm / sqrt(2 R rho))^2 of the smooth sphere's force lie in a window of 2 um.

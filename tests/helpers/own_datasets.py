@@ -62,7 +62,7 @@ def topography(count=1, source="measured"):
 
 
 class Measurement(NamedTuple):
-    """A scan and its reliable band, with lengths in nm."""
+    """A scan and its reliable wavelengths, with lengths in nm."""
 
     kind: str
     size: float
@@ -97,7 +97,7 @@ def spectra(count=1, scans=MEASUREMENTS):
 
 
 def _surface_spectra(bins, scans):
-    """Return the spectra of measurements by name, with noise floors below their reliable bands."""
+    """Return the spectra of measurements by name, with noise floors below their reliable waves."""
     rng = np.random.default_rng(1)
     wavelength = 2 * np.pi / bins
     columns = {

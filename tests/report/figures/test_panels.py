@@ -43,7 +43,7 @@ def test_shades_end_with_the_axes_and_lie_above_the_strip():
     axes = Figure().subplots()
     axes.set(xscale="log", xlim=(10, 1000))
     panels.draw_tolerance(axes, 0.1)
-    panels.hatch_bands(axes, [(0.0, 20.0), (500.0, np.inf), (2000.0, 3000.0)])
+    panels.hatch_wavelengths(axes, [(0.0, 20.0), (500.0, np.inf), (2000.0, 3000.0)])
     strip, *shades = axes.patches
     assert all(shade.get_zorder() > strip.get_zorder() for shade in shades)
     spans = [(shade.get_x(), shade.get_x() + shade.get_width()) for shade in shades]

@@ -13,7 +13,7 @@ from hardcontact.contact.numerical_limits import Extent
 from hardcontact.scans.defects import level_and_list_defects
 from hardcontact.scans.measured_spectrum import isotropic_psd
 from hardcontact.scans.reading import ReadingOptions, list_scans
-from hardcontact.scans.reliable_band import ReliableBand, reliable_band
+from hardcontact.scans.reliable_wavelengths import ReliableWavelengths, reliable_wavelengths
 from hardcontact.scans.scan_pairs import coarse_map, repeated_area_notes
 from hardcontact.surfaces.height_map import HeightMap
 
@@ -34,7 +34,7 @@ class UserScan:
     relief: float  #: Highest minus lowest height as read, or levelled if that is more.
     tip_radius: float | None
     is_tip_given: bool  #: Whether the tip radius is the user's, because the file states none.
-    reliable_band: ReliableBand
+    reliable_wavelengths: ReliableWavelengths
     density: Floats  #: C_iso (bins,) in nm⁴; NaN in empty bins.
     undefined_count: int  #: Number of undefined pixels, which were filled.
     notes: tuple[str, ...]  #: What was done in reading, and cautions: see `split_notes`.
@@ -58,8 +58,8 @@ class UserScan:
 
     @property
     def has_reliable_wavelengths(self) -> bool:
-        """Whether the reliable band is not empty."""
-        return self.reliable_band.shortest <= self.reliable_band.longest
+        """Whether any wavelength is reliable."""
+        return self.reliable_wavelengths.shortest <= self.reliable_wavelengths.longest
 
     @property
     def name(self) -> str:
@@ -166,7 +166,7 @@ def _measure_scan(scan_file: ScanFile, scan: HeightMap, options: ReadingOptions)
         relief=max(float(relief), peak_to_valley),
         tip_radius=tip_radius,
         is_tip_given=scan.tip_radius is None and options.tip_radius is not None,
-        reliable_band=reliable_band(flat, tip_radius, density),
+        reliable_wavelengths=reliable_wavelengths(flat, tip_radius, density),
         density=density,
         undefined_count=scan.undefined_count,
         notes=flat.notes,

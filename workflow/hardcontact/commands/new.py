@@ -39,7 +39,7 @@ from hardcontact.config.selected_surfaces import CONTACT_USE, SPECTRUM_USE, Surf
 from hardcontact.config.user_files import read_yaml
 from hardcontact.records.code import ROOT
 from hardcontact.scans.heights import split_notes
-from hardcontact.scans.reliable_band import LIMIT_NAMES
+from hardcontact.scans.reliable_wavelengths import LIMIT_NAMES
 
 
 def new_study(arguments: Namespace) -> str:
@@ -238,8 +238,8 @@ def _scan_table(scans: Sequence[UserScan], contact_scans: Sequence[UserScan]) ->
     notes = []
     for number, scan in enumerate(scans, 1):
         is_map = scan.kind == "map"
-        band = scan.reliable_band
-        band_ends = [format_length(end) for end in (band.shortest, band.longest)]
+        wavelengths = scan.reliable_wavelengths
+        ends = [format_length(end) for end in (wavelengths.shortest, wavelengths.longest)]
         rows.append(
             {
                 "": str(number),
@@ -253,13 +253,13 @@ def _scan_table(scans: Sequence[UserScan], contact_scans: Sequence[UserScan]) ->
                 "rms": format_length(scan.rms_height),
                 "peak to valley": format_length(scan.peak_to_valley),
                 "tip radius": format_length(scan.tip_radius) if scan.tip_radius else "unknown",
-                "reliable": " to ".join(band_ends) if scan.has_reliable_wavelengths else "none",
+                "reliable": " to ".join(ends) if scan.has_reliable_wavelengths else "none",
                 "used for": CONTACT_USE if scan in contact_scans else SPECTRUM_USE,
             }
         )
         notes += [f"{number}: {note}" for note in split_notes(scan.notes)[0]]
-        if band.limited_by != "pixels":
-            limit = LIMIT_NAMES[band.limited_by]
+        if wavelengths.limited_by != "pixels":
+            limit = LIMIT_NAMES[wavelengths.limited_by]
             notes.append(f"{number}: shorter wavelengths are not reliable: {limit}")
     return "\n".join([*align_cells(_header_and_cells(rows)), *notes])
 

@@ -22,7 +22,7 @@ from hardcontact.commands.scan_cautions import scan_cautions
 from hardcontact.config.configuration import quantity_type
 from hardcontact.contact.contact import Contact
 from hardcontact.scans.reading import DEFAULT_OPTIONS
-from hardcontact.scans.reliable_band import LIMIT_NAMES
+from hardcontact.scans.reliable_wavelengths import LIMIT_NAMES
 from hardcontact.surfaces.spectrum import nearest_bin
 
 #: The shortest wavelength that a scan keeps, in pixels. In the paper 20 nm, on pixels of 4.9 nm.
@@ -228,8 +228,8 @@ def _transition_choices(
     limits = [
         (TRANSITION_PIXELS * scan.pixel_size, "four pixels") for scan in (*substrates, *short_scans)
     ]
-    bands = [scan.reliable_band for scan in short_scans]
-    limits += [(band.shortest, LIMIT_NAMES[band.limited_by]) for band in bands]
+    scan_wavelengths = [scan.reliable_wavelengths for scan in short_scans]
+    limits += [(waves.shortest, LIMIT_NAMES[waves.limited_by]) for waves in scan_wavelengths]
     limit, reason = max(limits)
     longest = float(f"{TRANSITION_SHARE * min(scan.size for scan in long_scans):.3g}")
     shortest = min(float(f"{limit:.3g}"), longest)
@@ -244,7 +244,7 @@ def _transition_choices(
 def _decisive_scans(
     substrates: Sequence[UserScan], sphere_scans: Sequence[UserScan], end: str
 ) -> list[UserScan]:
-    """Return the scans that are rougher than the other body at an end of their reliable band.
+    """Return the scans that are rougher than the other body at an end of their reliable waves.
 
     `end` is ``"shortest"`` or ``"longest"``. Without such scans all are returned.
     """
@@ -255,8 +255,8 @@ def _decisive_scans(
 
 
 def _is_rougher(scan: UserScan, partners: Sequence[UserScan], end: str) -> bool:
-    """Return False if all scans of the other body have more power at this end of its band."""
-    index = nearest_bin(getattr(scan.reliable_band, end))
+    """Return False if all scans of the other body have more power at this end."""
+    index = nearest_bin(getattr(scan.reliable_wavelengths, end))
     are_rougher = [partner.density[index] > scan.density[index] for partner in partners]
     return not (partners and all(are_rougher))
 

@@ -28,10 +28,11 @@ def refuse_unreliable(scans: Sequence[UserScan]) -> None:
     """Refuse surfaces with too few reliable wavelengths, and name the defects of their scans."""
     faults = []
     for surface, surface_scans in scans_by_surface(scans).items():
-        bin_count = int(np.any([scan.reliable_band.mask for scan in surface_scans], axis=0).sum())
+        masks = [scan.reliable_wavelengths.mask for scan in surface_scans]
+        bin_count = int(np.any(masks, axis=0).sum())
         if bin_count < MIN_BINS:
-            bands = "; ".join(f"{scan.name} {scan.reliable_band}" for scan in surface_scans)
-            message = too_few_bins_message("scans", bin_count, bands)
+            lines = [f"{scan.name} {scan.reliable_wavelengths}" for scan in surface_scans]
+            message = too_few_bins_message("scans", bin_count, lines)
             faults.append(f"{surface}: {message}; add one of another size")
             faults += [
                 f"{scan.name}: expected a sound scan, found: {defect_sentence(code, numbers)}"
@@ -53,7 +54,7 @@ def scan_cautions(
     yield from _contact_cautions(substrates, usual_range, permitted, search_sizes)
     for scan in substrates:
         if not scan.has_reliable_wavelengths:
-            yield f"{scan.name}: reliable {scan.reliable_band}"
+            yield f"{scan.name}: reliable {scan.reliable_wavelengths}"
     yield from _contradiction_cautions(scans)
     for scan in scans:
         if scan.undefined_share > MAX_UNDEFINED_SHARE:
@@ -140,7 +141,7 @@ def _contradiction_cautions(scans: Sequence[UserScan]) -> Iterator[str]:
     for surface_scans in scans_by_surface(scans).values():
         contradictions = find_contradictions(
             np.array([scan.density for scan in surface_scans]),
-            [scan.reliable_band.mask for scan in surface_scans],
+            [scan.reliable_wavelengths.mask for scan in surface_scans],
             [scan.kind for scan in surface_scans],
             [scan.size for scan in surface_scans],
         )

@@ -15,7 +15,7 @@ from hardcontact.scans.defects import defect_sentence, level_and_list_defects
 from hardcontact.scans.heights import LENGTH_BOUNDS, TAKE_CARE, split_notes
 from hardcontact.scans.joined_spectrum import ScanSpectrum, joined_spectrum, reliable_spectrum
 from hardcontact.scans.reading import DEFAULT_OPTIONS, ReadingOptions, list_scans
-from hardcontact.scans.reliable_band import ReliableBand
+from hardcontact.scans.reliable_wavelengths import ReliableWavelengths
 from hardcontact.scans.scan_pairs import (
     describe_contradictions,
     find_contradictions,
@@ -135,9 +135,9 @@ def _spectrum_of_scans(scans: Sequence[HeightMap], tip_radius: float | None = No
 
 
 def _reading_notes(scans: Sequence[HeightMap], spectra: xr.Dataset) -> Iterator[str]:
-    """Yield for each scan its reliable band with what reading changed, and its cautions."""
-    bands = (spectra[key].values for key in ("shortest_reliable", "longest_reliable", "limited_by"))
-    for scan, *band in zip(scans, *bands, strict=True):
+    """Yield for each scan its reliable wavelengths with what reading changed, and its cautions."""
+    ends = (spectra[key].values for key in ("shortest_reliable", "longest_reliable", "limited_by"))
+    for scan, *scan_ends in zip(scans, *ends, strict=True):
         changes, cautions = split_notes(scan.notes)
-        yield "; ".join([f"{scan.name}: reliable {ReliableBand(*band)}", *changes])
+        yield "; ".join([f"{scan.name}: reliable {ReliableWavelengths(*scan_ends)}", *changes])
         yield from (f"{TAKE_CARE}{scan.name}: {line}" for line in cautions)

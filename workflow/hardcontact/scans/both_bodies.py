@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.scans.extrapolation import Tail
-from hardcontact.scans.reliable_band import OTHER_BODY
+from hardcontact.scans.reliable_wavelengths import OTHER_BODY
 from hardcontact.surfaces.filters import interpolate, lowpass
 from hardcontact.surfaces.height_map import HeightMap, mirror_in_float32
 from hardcontact.surfaces.spectrum import (

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length, format_share
 from hardcontact.base.statistics import MEDIAN_DEVIATION
-from hardcontact.scans.reliable_band import FLATTEST_SLOPE, MIN_STANDARD_ERRORS
+from hardcontact.scans.reliable_wavelengths import FLATTEST_SLOPE, MIN_STANDARD_ERRORS
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.levelling import MIN_STREAK_STEPS, fill_streaks, remove_form
 
@@ -266,10 +266,7 @@ def _find_line_patterns(heights: Floats, power: Floats, pixel_size: float) -> di
     pixels = len(power)
     waves = np.fft.fftfreq(pixels, 1 / pixels)
     wavevector = waves + 1j * waves[:, None]  # x + iy, in waves across the map
-    patterns = {
-        "offset_lines": _find_line_offsets(heights),
-        "lay": _find_lay(power, wavevector),
-    }
+    patterns = {"offset_lines": _find_line_offsets(heights), "lay": _find_lay(power, wavevector)}
     if not any(patterns.values()) and _slope_ratio(power, wavevector) > MIN_LAY_RATIO:
         patterns["slopes"] = _find_directional_slopes(heights, pixel_size)
     return patterns

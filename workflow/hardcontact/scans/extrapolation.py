@@ -17,7 +17,7 @@ import numpy as np
 import scipy
 
 from hardcontact.base.arrays import Floats
-from hardcontact.scans.reliable_band import STEEPEST_SELF_AFFINE_SLOPE, ReliableBand
+from hardcontact.scans.reliable_wavelengths import STEEPEST_SELF_AFFINE_SLOPE, ReliableWavelengths
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.levelling import level_plane, squared_projections
 from hardcontact.surfaces.spectral_models import power_law_tail
@@ -271,10 +271,10 @@ class RolloffEvidence:
     """
 
     def __init__(
-        self, scans: Sequence[HeightMap], densities: Floats, bands: Sequence[ReliableBand]
+        self, scans: Sequence[HeightMap], densities: Floats, scan_waves: list[ReliableWavelengths]
     ) -> None:
-        longest = max(band.longest for band in bands)
-        is_widest = np.array([band.longest == longest for band in bands])
+        longest = max(waves.longest for waves in scan_waves)
+        is_widest = np.array([waves.longest == longest for waves in scan_waves])
         widest_scans = [scan for scan, widest in zip(scans, is_widest, strict=True) if widest]
         kind = widest_scans[0].kind
         self._size = widest_scans[0].size
@@ -283,7 +283,7 @@ class RolloffEvidence:
         self._variance = float(np.mean([level_plane(scan).heights.var() for scan in widest_scans]))
         # The mean C_iso (bins,) in nm⁴, and the bins of short waves that may hold noise.
         self._measured_density = np.nan_to_num(densities[is_widest]).mean(axis=0)
-        shortest = min(band.shortest for band in bands if band.longest == longest)
+        shortest = min(waves.shortest for waves in scan_waves if waves.longest == longest)
         self._is_unreliable = 2 * np.pi / BIN_CENTRES < shortest
         self._share_after_levelling = share_after_levelling(WAVEVECTORS, self._size, kind)
         # Independent modes per ln q: q²L²/4π in a map, qL/2π along a line, but at least 1, because

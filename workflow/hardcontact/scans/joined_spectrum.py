@@ -30,7 +30,7 @@ from hardcontact.scans.measured_spectrum import (
     local_slopes,
     variance_of_log,
 )
-from hardcontact.scans.reliable_band import ReliableBand, limit_by_tip, reliable_band
+from hardcontact.scans.reliable_wavelengths import ReliableWavelengths, reliable_wavelengths
 from hardcontact.scans.spectrum_datasets import add_measurements, scan_properties
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import (
@@ -202,13 +202,13 @@ class _MeasuredSpectra(NamedTuple):
     tip_radii: Sequence[float | None]  #: In nm, from the user or the file; None if unknown.
     densities: Floats  #: (scan, bins) C_iso in nm⁴, NaN in empty bins.
     modes: Floats  #: (scan, bins) numbers of independent modes.
-    bands: Sequence[ReliableBand]
+    scan_waves: list[ReliableWavelengths]  #: The reliable ones of each scan.
     rolloff_evidence: RolloffEvidence
 
 
-def _reliable_mask(densities: Floats, bands: Sequence[ReliableBand]) -> NDArray[np.bool_]:
-    """Return the mask (scan, bins) of nonempty bins within the reliable band of each scan."""
-    return np.array([band.mask for band in bands]) & np.isfinite(densities)
+def _reliable_mask(densities: Floats, scan_waves: list[ReliableWavelengths]) -> NDArray[np.bool_]:
+    """Return the mask (scan, bins) of nonempty bins at the reliable wavelengths of each scan."""
+    return np.array([waves.mask for waves in scan_waves]) & np.isfinite(densities)
 
 
 def _measured_spectra(
@@ -220,16 +220,17 @@ def _measured_spectra(
         for scan, given_radius in zip(scans, given_tip_radii, strict=True)
     ]
     densities = np.array([isotropic_psd(scan) for scan in scans])
-    bands = [reliable_band(*row) for row in zip(scans, tip_radii, densities, strict=True)]
+    properties = zip(scans, tip_radii, densities, strict=True)
+    scan_waves = [reliable_wavelengths(*row) for row in properties]
     modes = np.array([independent_modes(scan.kind, scan.size) for scan in scans])
-    rolloff_evidence = RolloffEvidence(scans, densities, bands)
-    count = int(_reliable_mask(densities, bands).any(axis=0).sum())
+    rolloff_evidence = RolloffEvidence(scans, densities, scan_waves)
+    count = int(_reliable_mask(densities, scan_waves).any(axis=0).sum())
     if count < MIN_BINS:
-        listing = "; ".join(f"{scan.name} {band}" for scan, band in zip(scans, bands, strict=True))
-        is_too_large = min(band.shortest for band in bands) > 2 * np.pi / BIN_CENTRES[0]
+        lines = [f"{scan.name} {waves}" for scan, waves in zip(scans, scan_waves, strict=True)]
+        is_too_large = min(waves.shortest for waves in scan_waves) > 2 * np.pi / BIN_CENTRES[0]
         remedy = ": is the unit of length right?" if is_too_large else ""
-        raise ValueError(too_few_bins_message("measurements", count, listing) + remedy)
-    return _MeasuredSpectra(tip_radii, densities, modes, bands, rolloff_evidence)
+        raise ValueError(too_few_bins_message("measurements", count, lines) + remedy)
+    return _MeasuredSpectra(tip_radii, densities, modes, scan_waves, rolloff_evidence)
 
 
 def joined_spectrum(scans: Sequence[HeightMap], tip_radii: Sequence[float | None]) -> xr.Dataset:
@@ -243,25 +244,26 @@ def joined_spectrum(scans: Sequence[HeightMap], tip_radii: Sequence[float | None
     fewer than MIN_BINS bins are reliable.
     """
     measured = _measured_spectra(scans, tip_radii)
-    reliable = _reliable_mask(measured.densities, measured.bands)
+    reliable = _reliable_mask(measured.densities, measured.scan_waves)
     mean_bins = _mean_bins(reliable, measured.densities, measured.modes)
     curve = _match_height_variance(_smooth_between_peaks(mean_bins), mean_bins.arithmetic_mean)
     curve_density = Spectrum(curve.wavevector, curve.density)(BIN_CENTRES)
     joined_density = np.where(reliable.any(axis=0), curve_density, np.nan)
     hurst_fit = _fit_hurst_without_peaks(mean_bins)
     density, tail, rolloff = _extrapolate_curve(curve, hurst_fit, measured.rolloff_evidence)
-    used_bands = [band for band, mask in zip(measured.bands, reliable, strict=True) if mask.any()]
+    pairs = zip(measured.scan_waves, reliable, strict=True)
+    used_waves = [waves for waves, mask in pairs if mask.any()]
     return add_measurements(
         spectrum_dataset(density),
         joined_density,
         measured.densities,
         reliable,
-        scan_properties(scans, measured.tip_radii, measured.bands),
+        scan_properties(scans, measured.tip_radii, measured.scan_waves),
     ).assign_attrs(
         source="measured",
         table1_rows_met="",
-        shortest_measured=min(band.shortest for band in used_bands),
-        longest_measured=max(band.longest for band in used_bands),
+        shortest_measured=min(waves.shortest for waves in used_waves),
+        longest_measured=max(waves.longest for waves in used_waves),
         rolloff=rolloff,
         tail_known=int(is_tail_known(tail)),
         **tail._asdict(),
@@ -280,16 +282,14 @@ def sample_spectra(
     """
     measured = _measured_spectra(scans, tip_radii)
     for rng in rngs:
-        bands = [
-            _sample_reliable_band(rng, *properties)
-            for properties in zip(scans, measured.tip_radii, measured.bands, strict=True)
-        ]
-        reliable = _reliable_mask(measured.densities, bands)
+        properties = zip(scans, measured.tip_radii, measured.scan_waves, strict=True)
+        sampled_waves = [_sample_reliable_wavelengths(rng, *row) for row in properties]
+        reliable = _reliable_mask(measured.densities, sampled_waves)
         # A blunt tip may leave too few bins: then the sampled tips limit no scan of this sample.
         if reliable.any(axis=0).sum() < MIN_BINS:
-            reliable = _reliable_mask(measured.densities, measured.bands)
+            reliable = _reliable_mask(measured.densities, measured.scan_waves)
         # Logarithms of true relative to measured C_iso (scan,).
-        log_power_factors = CALIBRATION_SCATTER * rng.standard_normal(len(bands))
+        log_power_factors = CALIBRATION_SCATTER * rng.standard_normal(len(scans))
         # Their mean scales the whole spectrum, but only after the extrapolation, because the
         # evidence of the roll-off compares spectra with heights as measured.
         mean_log_factor = log_power_factors.mean()
@@ -306,13 +306,13 @@ def sample_spectra(
         yield spectrum, np.exp(log_power_factors / 2)
 
 
-def _sample_reliable_band(
-    rng: np.random.Generator, scan: HeightMap, tip_radius: float | None, band: ReliableBand
-) -> ReliableBand:
-    """Return the reliable band of a scan; an unknown tip of a map gets a sampled radius."""
+def _sample_reliable_wavelengths(
+    rng: np.random.Generator, scan: HeightMap, tip_radius: float | None, waves: ReliableWavelengths
+) -> ReliableWavelengths:
+    """Return the reliable wavelengths of a scan; an unknown tip of a map gets a sampled radius."""
     if tip_radius is not None or scan.kind != "map":
-        return band
-    return limit_by_tip(band, scan, float(np.exp(rng.uniform(*np.log(UNKNOWN_TIP_RADII)))))
+        return waves
+    return waves.limit_by_tip(scan, float(np.exp(rng.uniform(*np.log(UNKNOWN_TIP_RADII)))))
 
 
 def _fit_hurst_without_peaks(mean_bins: _MeanBins) -> HurstFit:

@@ -12,7 +12,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.units import NM4, RAD_PER_NM
 from hardcontact.scans.defects import DEFECT_UNITS
 from hardcontact.scans.extrapolation import Tail
-from hardcontact.scans.reliable_band import ReliableBand
+from hardcontact.scans.reliable_wavelengths import ReliableWavelengths
 from hardcontact.scans.scan_pairs import earlier_scans_of_areas
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import BIN_CENTRES, WAVEVECTORS, spectrum_of_dataset
@@ -33,17 +33,20 @@ PROPERTY_UNITS = {
 
 
 def scan_properties(
-    scans: Sequence[HeightMap], tip_radii: Sequence[float | None], bands: Sequence[ReliableBand]
+    scans: Sequence[HeightMap],
+    tip_radii: Sequence[float | None],
+    scan_waves: list[ReliableWavelengths],
 ) -> pd.DataFrame:
     """Return properties of scans (PROPERTY_UNITS), a row each, without defects that none has."""
+    columns = zip(scans, tip_radii, scan_waves, earlier_scans_of_areas(scans), strict=True)
     rows = [
         {
             "kind": scan.kind,
             "size": scan.size,
             "pixel_size": scan.pixel_size,
-            "shortest_reliable": band.shortest,
-            "longest_reliable": band.longest,
-            "limited_by": band.limited_by,
+            "shortest_reliable": waves.shortest,
+            "longest_reliable": waves.longest,
+            "limited_by": waves.limited_by,
             "path": scan.path,
             "dataset": scan.dataset,
             "tip_radius": np.nan if tip_radius is None else tip_radius,
@@ -51,9 +54,7 @@ def scan_properties(
             "earlier_scan": "" if earlier is None else scans[earlier].name,
             **{name: defect[name] for defect in scan.defects.values() for name in defect},
         }
-        for scan, tip_radius, band, earlier in zip(
-            scans, tip_radii, bands, earlier_scans_of_areas(scans), strict=True
-        )
+        for scan, tip_radius, waves, earlier in columns
     ]
     return pd.DataFrame(rows)
 

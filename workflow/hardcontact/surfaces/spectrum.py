@@ -7,7 +7,7 @@ Wavevectors q = 2 pi/lambda are in rad/nm. Source: Jacobs, Junge, Pastewka, Surf
 Prop. 5 (2017) 013001.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -38,15 +38,15 @@ BIN_WIDTH = float(np.log(BIN_EDGES[1] / BIN_EDGES[0]))
 HALF_DECADE_BINS = 5
 #: Fewest bins of a spectrum from scans: a slope with an error needs three.
 MIN_BINS = 3
-#: Arguments of SurfaceTopography, for all wavelengths: `scans.reliable_band` finds reliable ones.
+#: Arguments of SurfaceTopography for all wavelengths; reliable ones: `scans.reliable_wavelengths`.
 PSD_ARGUMENTS = {"window": "hann", "reliable": False, "collocation": BIN_EDGES}
 
 
-def too_few_bins_message(noun: str, count: int, bands: str) -> str:
+def too_few_bins_message(noun: str, count: int, lines: Iterable[str]) -> str:
     """Return the message that scans, named by a noun, are reliable in fewer than MIN_BINS bins."""
     return (
         f"expected {noun} that are reliable in at least {MIN_BINS} bins of wavelengths (ten a "
-        f"decade from 0.1 nm to 100 µm), found {count}: {bands}"
+        f"decade from 0.1 nm to 100 µm), found {count}: {'; '.join(lines)}"
     )
 
 

@@ -33,8 +33,8 @@ def draw(
         _draw_side(axes, edges.sel(side=side))
         axes.axvline(published, zorder=1, **style.PUBLISHED_LOOK)
         transition = float(filtered_forces["transition"].sel(side=side))
-        artificial_band = (0.0, transition) if side == "short" else (transition, np.inf)
-        panels.hatch_bands(axes, [artificial_band])
+        artificial_wavelengths = (0.0, transition) if side == "short" else (transition, np.inf)
+        panels.hatch_wavelengths(axes, [artificial_wavelengths])
         axes.set_xlabel("cutoff wavelength (nm)")
         style.label_panel(axes, letter, TITLES[side])
     rho = filtered_forces.attrs["rho"]

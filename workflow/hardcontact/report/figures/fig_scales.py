@@ -98,7 +98,7 @@ def _draw_spectra(
     highest = 10 * topography["spectrum"].max().item()
     axes.set_ylim(highest / 10**SHOWN_DECADES, highest)
     style.label_logarithmic(axes.xaxis)
-    panels.hatch_bands(axes, [(0.0, shortest), (longest, np.inf)])
+    panels.hatch_wavelengths(axes, [(0.0, shortest), (longest, np.inf)])
     style.label_panel(axes, "a", "power spectral densities")
 
 

@@ -183,10 +183,10 @@ def cut_long_intervals(axes: Axes, largest_bar: float) -> None:
         axes.plot(cut_x, np.full(cut_x.size, end), arrow, **CUT_LOOK)
 
 
-def hatch_bands(axes: Axes, bands: Iterable[tuple[float, float]]) -> None:
-    """Hatch bands of wavelengths (nm) within the limits of logarithmic axes."""
+def hatch_wavelengths(axes: Axes, wavelengths: Iterable[tuple[float, float]]) -> None:
+    """Hatch pairs of wavelengths (nm), from shortest to longest, within logarithmic axes."""
     low, high = axes.get_xlim()
-    for shortest, longest in bands:
+    for shortest, longest in wavelengths:
         if longest > low and shortest < high:
             axes.axvspan(max(shortest, low), min(longest, high), **style.HATCHED_LOOK)
     axes.set_xlim(low, high)

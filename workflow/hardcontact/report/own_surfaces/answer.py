@@ -25,16 +25,18 @@ from hardcontact.report.own_surfaces.datasets import (
 )
 from hardcontact.report.quantities import all_quantities, number_of, number_without_value
 from hardcontact.report.templates import render_lines, render_note, substitutes_note
-from hardcontact.scans.reliable_band import LIMIT_NAMES, MIN_PIXELS, MIN_WAVES_IN_SIZE, OTHER_BODY
+from hardcontact.scans import reliable_wavelengths
 from hardcontact.surfaces.metrics import METRICS
 
 RANGE_NAME = "range of adhesion"
 WORK_NAME = "work of adhesion"
 #: Limits, and their names, that templates show.
 LIMITS = {
-    "min_pixels": MIN_PIXELS, "min_waves": MIN_WAVES_IN_SIZE, "nearly_all": edges.NEARLY_ALL,
-    "limit_names": LIMIT_NAMES,
-}  # fmt: skip
+    "min_pixels": reliable_wavelengths.MIN_PIXELS,
+    "min_waves": reliable_wavelengths.MIN_WAVES_IN_SIZE,
+    "nearly_all": edges.NEARLY_ALL,
+    "limit_names": reliable_wavelengths.LIMIT_NAMES,
+}
 SHOWN_METRICS = (
     "rms_height", "rms_gradient", "rms_half_laplacian", "peak_to_valley", "skewness", "kurtosis",
 )  # fmt: skip
@@ -199,7 +201,7 @@ def _topography_numbers(topography: xr.Dataset) -> Iterator[Number]:
 
 
 def _measurement_numbers(spectra: xr.Dataset) -> Iterator[Number]:
-    """Yield the lengths of each measurement of one surface: size, pixels, reliable band, tip."""
+    """Yield the lengths of each measurement: size, pixels, reliable wavelengths, tip."""
     for index, scan in enumerate(split_measurements(spectra), start=1):
         for name in MEASUREMENT_LENGTHS:
             yield number_of(scan, name, "nm", name=f"measurement_{index}_{name}", source="file")
@@ -211,7 +213,7 @@ def _surface_head(surface: SurfaceAnswer, spectra: xr.Dataset) -> dict[str, Any]
     for scan in split_measurements(spectra.sel(surface=surface.name)):
         limit = str(scan["limited_by"].item())
         # The page shows a measurement without a limit as reliable nowhere.
-        has_limit = scan["reliable"].any() or limit == OTHER_BODY
+        has_limit = scan["reliable"].any() or limit == reliable_wavelengths.OTHER_BODY
         measurements.append({
             "name": measurement_name(scan),
             "kind": str(scan["kind"].item()),

@@ -26,7 +26,7 @@ from hardcontact.report.own_surfaces.datasets import (
 from hardcontact.report.quantities import number_of, number_without_value
 from hardcontact.scans.defects import DEFECT_UNITS, DEFECTS, defect_sentence
 from hardcontact.scans.heights import split_notes
-from hardcontact.scans.reliable_band import OTHER_BODY
+from hardcontact.scans.reliable_wavelengths import OTHER_BODY
 from hardcontact.scans.scan_pairs import find_contradictions
 from hardcontact.surfaces.synthesis import SIDES
 
@@ -254,8 +254,8 @@ def _excess_roughness_caution(spectra: xr.Dataset) -> Iterator[Caution]:
         return
     shortest, longest = wavelength[is_excess].min(), wavelength[is_excess].max()
     factor = (used_density[is_excess] / scan_density[is_excess]).max()
-    band = number_without_value("band", float(shortest), float(longest), "nm")
-    yield Caution("more_than_measured", band, Number("factor", float(factor)))
+    wavelengths = number_without_value("band", float(shortest), float(longest), "nm")
+    yield Caution("more_than_measured", wavelengths, Number("factor", float(factor)))
 
 
 def _tail_caution(surface_data: Datasets) -> Caution:

@@ -1,6 +1,6 @@
 """The final datasets of a study of your surfaces, and the wavelengths that scans show."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -110,26 +110,27 @@ def split_measurements(spectra: xr.Dataset) -> list[xr.Dataset]:
     return [scans.isel(measurement=index) for index in range(scans.sizes["measurement"])]
 
 
-def unreliable_bands(spectra: xr.Dataset) -> list[tuple[float, float]]:
-    """Return the bands of wavelengths (nm) at which no measurement of a surface is reliable.
+def unreliable_wavelengths(spectra: xr.Dataset) -> list[tuple[float, float]]:
+    """Return the wavelengths (nm) at which no measurement of a surface is reliable.
 
-    The first band begins at 0, the last ends at infinity.
+    They are pairs, from the shortest to the longest wavelength: first from 0 to the shortest
+    reliable wavelength, then the gaps between scans, if any, and last to infinity.
     """
     scans = drop_padding(spectra)
     scans = scans.isel(measurement=(scans["reliable"].values == 1).any(axis=1))
     ends = (scans[name].values.tolist() for name in ("shortest_reliable", "longest_reliable"))
     covered_up_to = float(spectra["shortest_measured"])
-    bands = [(0.0, covered_up_to)]
+    unreliable = [(0.0, covered_up_to)]
     for shortest, longest in sorted(zip(*ends, strict=True)):
         if shortest > covered_up_to:
-            bands.append((covered_up_to, shortest))
+            unreliable.append((covered_up_to, shortest))
         covered_up_to = max(covered_up_to, longest)
-    return [*bands, (float(spectra["longest_measured"]), np.inf)]
+    return [*unreliable, (float(spectra["longest_measured"]), np.inf)]
 
 
-def overlaps_any(low: float, high: float, bands: Iterable[tuple[float, float]]) -> bool:
-    """Return whether wavelengths from low to high (nm) overlap a band; False if either is NaN."""
-    return any(shortest < high and low < longest for shortest, longest in bands)
+def is_any_unreliable(spectra: xr.Dataset, low: float, high: float) -> bool:
+    """Return whether a wavelength from low to high (nm) is unreliable; False if either is NaN."""
+    return any(start < high and low < end for start, end in unreliable_wavelengths(spectra))
 
 
 def octave_sphere_share(spectra: xr.Dataset, octave: float) -> float:
@@ -143,6 +144,5 @@ def octave_sphere_share(spectra: xr.Dataset, octave: float) -> float:
 def shown_octaves(surface_data: Datasets) -> np.ndarray:
     """Return a mask (octave,) of the octaves at whose middle a scan of one surface is reliable."""
     middles = np.sqrt(2) * surface_data.sensitivity["octave"].values
-    bands = unreliable_bands(surface_data.spectra)
-    hidden = [(shortest < middles) & (middles < longest) for shortest, longest in bands]
-    return np.asarray(np.logical_not(hidden).all(axis=0))
+    spectra = surface_data.spectra
+    return np.array([not is_any_unreliable(spectra, middle, middle) for middle in middles])

@@ -13,12 +13,12 @@ from hardcontact.inference.scan_parts import IntervalSource
 from hardcontact.report.own_surfaces.datasets import (
     Datasets,
     fails_hindcast,
-    overlaps_any,
-    unreliable_bands,
+    is_any_unreliable,
+    unreliable_wavelengths,
 )
 from hardcontact.report.quantities import OPEN_WORDS, NoValue, number_without_value
 from hardcontact.scans.both_bodies import sphere_share
-from hardcontact.scans.reliable_band import MIN_PIXELS
+from hardcontact.scans.reliable_wavelengths import MIN_PIXELS
 from hardcontact.surfaces.synthesis import SIDES
 
 #: Smallest share that counts as the whole: a choice.
@@ -102,9 +102,8 @@ def _edge_without_unreliable_ends(surface_data: Datasets, side: str) -> Number:
         return Number(name, np.nan, "nm", status=NoValue.NO_HINDCAST, source="unreliable")
     ends = [end.item() for end in interval_ends(side_edges, "edge")]
     source = edge_source(surface_data, side)
-    bands = unreliable_bands(surface_data.spectra)
-    is_known = [source != "unreliable" and not overlaps_any(end, end, bands) for end in ends]
-    low, high = np.where(is_known, ends, np.nan).tolist()
+    is_hidden = [is_any_unreliable(surface_data.spectra, end, end) for end in ends]
+    low, high = np.where(np.logical_or(is_hidden, source == "unreliable"), np.nan, ends).tolist()
     edge = Number(name, side_edges["edge"].item(), "nm", low, high, source=source)
     if not np.isfinite(edge.value):
         edge = edge._replace(value=side_edges["edge_bound"].item(), status=status)
@@ -127,13 +126,13 @@ def reliable_and_unreliable_change(
     end = surface_data.force["extrapolation_end"].sel(side=side).item()
     wavelength = np.insert(cutoffs, end_index, end)
     log_ratio = np.insert(log_ratio, end_index, 0.0)
-    bands = unreliable_bands(surface_data.spectra)
+    unreliable = unreliable_wavelengths(surface_data.spectra)
     limits = max(shortest, wavelength[0]), min(longest, wavelength[-1])
     # Between neighbouring ends all wavelengths are reliable, or none is.
-    ends = np.unique(np.clip([*wavelength, *limits, *np.ravel(bands)], *limits))
+    ends = np.unique(np.clip([*wavelength, *limits, *np.ravel(unreliable)], *limits))
     changes = np.abs(np.diff(np.interp(np.log(ends), np.log(wavelength), log_ratio)))
     middles = np.sqrt(ends[1:] * ends[:-1])
-    is_unreliable = np.any([(low < middles) & (middles < high) for low, high in bands], axis=0)
+    is_unreliable = np.any([(low < middles) & (middles < high) for low, high in unreliable], axis=0)
     return float(changes[~is_unreliable].sum()), float(changes[is_unreliable].sum())
 
 
@@ -147,22 +146,21 @@ def reliable_share_at_edge(surface_data: Datasets, side: str) -> float:
     edge = surface_data.edges["edge"].sel(side=side).item()
     if np.isnan(edge):
         return np.nan
-    removed_band = (0.0, edge) if side == "short" else (edge, np.inf)
-    return reliable_share(*reliable_and_unreliable_change(surface_data, side, *removed_band))
+    removed_wavelengths = (0.0, edge) if side == "short" else (edge, np.inf)
+    return reliable_share(*reliable_and_unreliable_change(surface_data, side, *removed_wavelengths))
 
 
 def edge_source(surface_data: Datasets, side: str) -> NumberSource:
     """Return whether an edge rests on unreliable wavelengths, as the source of its number."""
     side_edges = surface_data.edges.sel(side=side)
-    bands = unreliable_bands(surface_data.spectra)
     edge = float(side_edges["edge"].fillna(side_edges["edge_bound"]))
     share = reliable_share_at_edge(surface_data, side)
-    if overlaps_any(edge, edge, bands) or share < 1 - NEARLY_ALL:
+    if is_any_unreliable(surface_data.spectra, edge, edge) or share < 1 - NEARLY_ALL:
         return "unreliable"
     if share < NEARLY_ALL:
         return "partly_unreliable"
-    low, high = side_edges["edge_interval"].fillna(edge).values
-    return "interval_unreliable" if overlaps_any(low, high, bands) else "measured"
+    ends = side_edges["edge_interval"].fillna(edge).values
+    return "interval_unreliable" if is_any_unreliable(surface_data.spectra, *ends) else "measured"
 
 
 def surface_conclusion(numbers: Mapping[str, Number]) -> Conclusion:
@@ -229,8 +227,8 @@ def _next_scan(edge: Number, numbers: Mapping[str, Number], spectra: xr.Dataset)
     A hindcast without a ratio tested no octave, because the scan of the contacts shows none. If
     there is a gap between scans, a map of the gap can give the hindcast an octave.
     """
-    bands = unreliable_bands(spectra)
-    gaps = bands[1:-1]
+    unreliable = unreliable_wavelengths(spectra)
+    gaps = unreliable[1:-1]
     ratio_name = f"hindcast_{edge.name.removesuffix('_edge')}_ratio"
     if gaps and edge.status == NoValue.NO_HINDCAST and np.isnan(numbers[ratio_name].value):
         low, high = max(gaps, key=lambda ends: ends[1] / ends[0])
@@ -243,10 +241,10 @@ def _next_scan(edge: Number, numbers: Mapping[str, Number], spectra: xr.Dataset)
     if edge.status in OPEN_WORDS:
         is_finer = edge.status == EdgeStatus.OPEN_BELOW
     if is_finer:
-        _, longest_below = max(band for band in bands if band[0] < wavelength)
+        _, longest_below = max(ends for ends in unreliable if ends[0] < wavelength)
         limit = min(wavelength, longest_below)
     else:
-        shortest_above, _ = min(band for band in bands if wavelength < band[1])
+        shortest_above, _ = min(ends for ends in unreliable if wavelength < ends[1])
         limit = max(wavelength, shortest_above)
     body = _rougher_body(spectra, limit)
     code = "finer" if is_finer else "larger"

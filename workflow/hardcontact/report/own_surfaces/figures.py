@@ -23,7 +23,7 @@ from hardcontact.report.own_surfaces.datasets import (
     select_preferred_model,
     shown_octaves,
     split_measurements,
-    unreliable_bands,
+    unreliable_wavelengths,
 )
 
 SIDE_LOOKS: dict[str, tuple[str, style.Look]] = {
@@ -115,7 +115,7 @@ def draw_cutoffs(datasets: Datasets) -> Figure:
             style.label_logarithmic(axes.yaxis)
         else:
             axes.set_yscale("linear")
-        panels.hatch_bands(axes, unreliable_bands(surface_data.spectra))
+        panels.hatch_wavelengths(axes, unreliable_wavelengths(surface_data.spectra))
     _add_legend(figure)
     return figure
 
@@ -136,7 +136,7 @@ def draw_spectra(datasets: Datasets) -> Figure:
         axes.plot(wavelengths[has_data], used_density, color=colour, label="used")
         axes.plot(wavelengths[has_data], joined_density, **JOINED_LOOK, label="joined")
         _set_logarithmic_axes(axes, "wavelength (nm)", "isotropic PSD (nm⁴)", wavelengths[has_data])
-        panels.hatch_bands(axes, unreliable_bands(surface_data.spectra))
+        panels.hatch_wavelengths(axes, unreliable_wavelengths(surface_data.spectra))
         axes.legend(loc="lower right")
     return figure
 

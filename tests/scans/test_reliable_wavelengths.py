@@ -1,4 +1,4 @@
-"""The reliable band of known surfaces ends at pixels, tip, noise, smoothing or size."""
+"""The reliable wavelengths of known surfaces end at pixels, tip, noise, smoothing or size."""
 
 import numpy as np
 import pytest
@@ -7,7 +7,7 @@ from scipy.ndimage import gaussian_filter, gaussian_filter1d, grey_dilation
 
 from hardcontact.base.arrays import generator
 from hardcontact.scans.measured_spectrum import isotropic_psd
-from hardcontact.scans.reliable_band import reliable_band
+from hardcontact.scans.reliable_wavelengths import reliable_wavelengths
 from hardcontact.surfaces.height_map import to_surface_topography
 from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.spectral_models import smooth_rolloff
@@ -18,7 +18,7 @@ PIXEL = 10.0  # nm
 
 
 def band_of(scan, tip_radius=None):
-    return reliable_band(scan, tip_radius, isotropic_psd(scan))
+    return reliable_wavelengths(scan, tip_radius, isotropic_psd(scan))
 
 
 def steep(q):

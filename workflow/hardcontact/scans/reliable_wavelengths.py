@@ -10,7 +10,7 @@ longest of these: four pixels, the cutoff of the tip (Sanner et al., Appl. Surf.
 - Slopes near a peak, such as a grating's, prove neither.
 """
 
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -49,7 +49,7 @@ MIN_PEAK_ERRORS = 4
 TIP_CUTOFF_ERROR = 1e-3
 #: Code of a limit: at shorter wavelengths the other body of a contact is rougher.
 OTHER_BODY = "other_body"
-#: Limits of a band toward short wavelengths, by code, in words for messages.
+#: Limits of reliable wavelengths toward short wavelengths, by code, in words for messages.
 LIMIT_NAMES = {
     "pixels": f"{MIN_PIXELS} pixels",
     "tip": "the tip",
@@ -59,7 +59,7 @@ LIMIT_NAMES = {
 }
 
 
-class ReliableBand(NamedTuple):
+class ReliableWavelengths(NamedTuple):
     """The reliable wavelengths (nm) of a scan; empty if shortest exceeds longest."""
 
     shortest: float
@@ -68,9 +68,17 @@ class ReliableBand(NamedTuple):
 
     @property
     def mask(self) -> NDArray[np.bool_]:
-        """Mask (bins,) of the bins of a measured spectrum within the band."""
+        """Mask (bins,) of the bins of a measured spectrum at these wavelengths."""
         wavelength = 2 * np.pi / BIN_CENTRES
         return (self.shortest <= wavelength) & (wavelength <= self.longest)
+
+    def limit_by_tip(self, scan: HeightMap, tip_radius: float) -> Self:
+        """Return the reliable wavelengths that end at the cutoff of a tip, if that is longer."""
+        topography = to_surface_topography(level_plane(scan))
+        cutoff = topography.scanning_probe_reliability_cutoff(tip_radius, rtol=TIP_CUTOFF_ERROR)
+        if cutoff is None or cutoff <= self.shortest:
+            return self
+        return self._replace(shortest=float(cutoff), limited_by="tip")
 
     def __str__(self) -> str:
         """Return both ends with their limits, in words."""
@@ -81,21 +89,14 @@ class ReliableBand(NamedTuple):
         return f"from {shortest} ({limit}) to {longest} (a third of the size)"
 
 
-def reliable_band(scan: HeightMap, tip_radius: float | None, density: Floats) -> ReliableBand:
+def reliable_wavelengths(
+    scan: HeightMap, tip_radius: float | None, density: Floats
+) -> ReliableWavelengths:
     """Return the reliable wavelengths of a scan with C_iso `density` (bins,) in nm⁴."""
-    pixel_end = MIN_PIXELS * scan.pixel_size, "pixels"
-    shortest, limit = max([pixel_end, *_spectral_ends(scan, density)])
-    band = ReliableBand(shortest, scan.size / MIN_WAVES_IN_SIZE, limited_by=limit)
-    return band if tip_radius is None else limit_by_tip(band, scan, tip_radius)
-
-
-def limit_by_tip(band: ReliableBand, scan: HeightMap, tip_radius: float) -> ReliableBand:
-    """Return a band that ends at the cutoff of a tip, if that is longer."""
-    topography = to_surface_topography(level_plane(scan))
-    cutoff = topography.scanning_probe_reliability_cutoff(tip_radius, rtol=TIP_CUTOFF_ERROR)
-    if cutoff is None or cutoff <= band.shortest:
-        return band
-    return band._replace(shortest=float(cutoff), limited_by="tip")
+    ends = [(MIN_PIXELS * scan.pixel_size, "pixels"), *_spectral_ends(scan, density)]
+    shortest, limit = max(ends)
+    waves = ReliableWavelengths(shortest, scan.size / MIN_WAVES_IN_SIZE, limited_by=limit)
+    return waves if tip_radius is None else waves.limit_by_tip(scan, tip_radius)
 
 
 def _spectral_ends(scan: HeightMap, density: Floats) -> list[tuple[float, str]]:
