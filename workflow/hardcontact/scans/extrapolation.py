@@ -305,10 +305,8 @@ class RolloffEvidence:
         # A priori the logarithm of the roll-off is uniform, so that the posterior of these
         # roll-offs is proportional to their likelihoods.
         rolloffs = np.geomspace(longest, MAX_ROLLOFF_OVER_SIZE * self._size, ROLLOFF_COUNT)
-        extended = [
-            extrapolate_long_waves(density, longest, slope, rolloff) for rolloff in rolloffs
-        ]
-        log_likelihoods = np.array([self._log_likelihood(density) for density in extended])
+        trials = [extrapolate_long_waves(density, longest, slope, rolloff) for rolloff in rolloffs]
+        log_likelihoods = np.array([self._log_likelihood(trial) for trial in trials])
         posterior = np.exp(log_likelihoods - log_likelihoods.max())
         # Half of the probability of a roll-off counts as below it.
         cumulative = (np.cumsum(posterior) - posterior / 2) / posterior.sum()

@@ -157,7 +157,7 @@ def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[
     refuse_point_counts(channel.nb_grid_pts)
     has_positions = channel.dim == 1 and channel.is_uniform is False
     size = None if has_positions else tuple(metadata.get("size") or ()) or None
-    _refuse_metadata(channel, metadata, size)
+    _check_metadata(channel, metadata, size)
     if channel.physical_sizes is None and size is None and not has_positions:
         _refuse_without_size(channel, metadata)
     arguments = _accepted_arguments(channel, metadata | {"size": size})
@@ -172,9 +172,7 @@ def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[
     return topography, [f"{key} {metadata[key]}" for key in keys]
 
 
-def _refuse_metadata(
-    channel: Any, metadata: dict[str, Any], size: tuple[float, ...] | None
-) -> None:
+def _check_metadata(channel: Any, metadata: dict[str, Any], size: tuple[float, ...] | None) -> None:
     """Refuse a size or a height scale that is impossible."""
     if size is not None and not (len(size) == channel.dim and all(0 < x < math.inf for x in size)):
         raise RefusedFile(f"expected a size of {channel.dim} positive numbers, found {size}")

@@ -329,12 +329,11 @@ def _extrapolate_curve(
     hurst_deviation: float = 0.0,
 ) -> tuple[Floats, Tail, float]:
     """Return C_iso (nm⁴) on WAVEVECTORS, extrapolated from a curve, its tail and roll-off (nm)."""
-    density, tail = extrapolate_short_waves(
-        curve.wavevector, curve.density, hurst_fit, hurst_deviation
-    )
+    wavevector, density, _ = curve
+    density, tail = extrapolate_short_waves(wavevector, density, hurst_fit, hurst_deviation)
     slopes, _ = local_slopes(*curve)
     slope = float(slopes[0])
-    longest = float(2 * np.pi / curve.wavevector[0])
+    longest = float(2 * np.pi / wavevector[0])
     rolloff = rolloff_evidence.rolloff_quantile(density, longest, slope, rolloff_probability)
     return extrapolate_long_waves(density, longest, slope, rolloff), tail, rolloff
 
