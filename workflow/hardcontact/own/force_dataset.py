@@ -128,22 +128,21 @@ def _forces_on_scans(
 
 
 def _force_variables(
-    forces: xr.Dataset, forces_by_model: Sequence[SurfaceForces], rho: float, confidence: float
+    adhesion: xr.Dataset, forces_by_model: Sequence[SurfaceForces], rho: float, confidence: float
 ) -> xr.Dataset:
-    """Return the variables of force.nc for one surface, from forces at the work of the study."""
-    mean = np.array([model_forces.mean for model_forces in forces_by_model])
-    intervals = [mean_intervals(model_forces, confidence) for model_forces in forces_by_model]
+    """Return the variables of force.nc for one surface; `adhesion` is at the work of the study."""
+    mean = np.array([forces.mean for forces in forces_by_model])
+    intervals = [mean_intervals(forces, confidence) for forces in forces_by_model]
     dimensions = ("contact_model", "rho")
-    quantiles = forces.pull_off_force.quantile(FORCE_QUANTILES, SINGLE_CONTACT_AXES).transpose(
+    quantiles = adhesion.pull_off_force.quantile(FORCE_QUANTILES, SINGLE_CONTACT_AXES).transpose(
         *dimensions, "quantile"
     )
-    log_force_std = np.array([model_forces.log_force_std for model_forces in forces_by_model])
+    log_force_std = np.array([forces.log_force_std for forces in forces_by_model])
+    contact_count = np.prod([adhesion.sizes[axis] for axis in CONTACT_AXES])
     # All contact models have the same parts.
-    scan_parts = forces_by_model[0].scan_parts[np.abs(forces.rho.values - rho).argmin()]
+    scan_parts = forces_by_model[0].scan_parts[np.abs(adhesion.rho.values - rho).argmin()]
     variables = as_variables("force", dimensions, mean, np.array(intervals), NEWTON, confidence)
-    half_widths = [
-        position_half_width(model_forces, confidence) for model_forces in forces_by_model
-    ]
+    half_widths = [position_half_width(forces, confidence) for forces in forces_by_model]
     if half_widths[0] is not None:  # The sphere is rough, and its position is not known.
         factor = np.exp(np.array(half_widths))
         variables["position_factor"] = (dimensions, factor, DIMENSIONLESS)
@@ -154,19 +153,19 @@ def _force_variables(
             "log_force_std": (dimensions, log_force_std, DIMENSIONLESS),
             "interval_source": scan_parts.interval_source,
             "interval_scans": scan_parts.scan_count,
-            "contacts": ((), np.prod([forces.sizes[axis] for axis in CONTACT_AXES]), DIMENSIONLESS),
+            "contacts": ((), contact_count, DIMENSIONLESS),
             "touched_patches": ((), scan_parts.touched_patches, DIMENSIONLESS),
             "correlation_of_parts": ((), scan_parts.mean_correlation, DIMENSIONLESS),
         },
-        {name: forces[name] for name in dimensions}
+        {name: adhesion[name] for name in dimensions}
         | {"quantile": ("quantile", FORCE_QUANTILES, DIMENSIONLESS)},
     )
 
 
 def _forces_on_masters(
-    forces: xr.Dataset, master_scans: MasterScans, work: float, confidence: float
+    filtered_forces: xr.Dataset, master_scans: MasterScans, work: float, confidence: float
 ) -> xr.Dataset:
-    """Return the mean force (surface, side) in N on unfiltered masters; `forces` are at 1 J/m².
+    """Return the mean force (surface, side) in N on unfiltered masters, from forces at 1 J/m².
 
     Masters are scans with artificial roughness, from the ``transition`` to the
     ``extrapolation_end``, both in nm. The force is the mean over contacts and masters.
@@ -186,7 +185,8 @@ def _forces_on_masters(
             }
         )
 
-    return summarize_masters(forces, master_scans, summary).assign(transition=forces.transition)
+    transition = filtered_forces["transition"]
+    return summarize_masters(filtered_forces, master_scans, summary).assign(transition=transition)
 
 
 def _unfiltered_force(filtered: xr.DataArray, unfiltered: xr.DataArray) -> xr.DataArray:
