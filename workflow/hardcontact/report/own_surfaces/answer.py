@@ -23,8 +23,9 @@ from hardcontact.report.own_surfaces.datasets import (
     split_measurements,
     stored_tabor_number,
 )
+from hardcontact.report.own_surfaces.headline import surface_facts
 from hardcontact.report.quantities import all_quantities, number_of, number_without_value
-from hardcontact.report.templates import render_lines, render_note, substitutes_note
+from hardcontact.report.templates import render_note, render_paragraphs, substitutes_note
 from hardcontact.scans import reliable_wavelengths
 from hardcontact.surfaces.metrics import METRICS
 
@@ -68,9 +69,18 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
         "version": setting.version,
         "effort": setting.effort,
         "kind": "own surfaces",
-        "headline": render_lines(
+        "headline": render_paragraphs(
             "own_headline.txt",
             surfaces=surfaces,
+            surface_facts={
+                surface.name: surface_facts(
+                    surface.numbers,
+                    surface.cautions,
+                    surface.conclusion.band_status,
+                    surface.source,
+                )
+                for surface in surfaces
+            },
             chosen=chosen_inputs,
             effort=setting.effort,
             contact=setting.contact_words,
