@@ -232,7 +232,7 @@ def edges_of_independent_masters(
 
     Each master has a scan of its own, so the masters are independent, and intervals come from
     samples of the masters. The dataset also has the ratios and changes of the force. Its groups are
-    the surfaces and their mean.
+    the surfaces and the change averaged over them.
     Sampled edges are (1 + sample, ..., side, group). The first is the edge itself, NaN if it is
     open. In the samples the bound replaces an open edge.
     """
