@@ -268,7 +268,7 @@ def pull_off_forces(
         Its variables are
 
         - ``pull_off_force`` (contact_model, rho, contact_y, contact_x) in N, for rigid and for
-          plastic contact.
+          plastic contact, at `work`. In the datasets of a study it is at 1 J/m².
         - ``apex_height`` (contact_model, contact_y, contact_x) in nm: the height of the sphere's
           apex above the mean plane at closest approach.
         - ``contact_pixel_count`` (contact_model): the number of pixels in each contact.

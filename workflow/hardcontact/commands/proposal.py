@@ -27,7 +27,8 @@ from hardcontact.surfaces.spectrum import nearest_bin
 
 #: The shortest wavelength that a scan keeps, in pixels. In the paper 20 nm, on pixels of 4.9 nm.
 TRANSITION_PIXELS = 4
-#: The longest wavelength that a scan keeps, relative to its size. In the paper 1000 of 2500 nm.
+#: The longest wavelength that a scan keeps, relative to its size. In the paper 1000 of 2500 nm. As
+#: there, this is more than the longest reliable wavelength, a third of the size.
 TRANSITION_SHARE = 0.4
 #: Factor from the study's range of adhesion down to the shortest computed range, and up to the
 #: longest: 0.7 to 45 nm around the paper's 5.6 nm. More would put the 12 ranges further apart.

@@ -1,25 +1,7 @@
 """The purposes of forces on masters: which masters and which contacts each of them needs.
 
-An example is the purpose `exponents` of the paper's study: how force and edges depend on radius and
-preload.
-
-1. Keys. `exponents.masters` is 3, `exponents.radii` has four radii. Pixels and cutoffs of masters
-   are those of `sets.short` and `sets.long`.
-2. Settings. `master_purposes` looks up all keys. Its `Purpose` has the `radii` 5, 62.5, 250 and
-   1000 µm, and `loadings` with 1.25 and 10 µN. `files/settings.py` takes the settings of the rule
-   from it.
-3. Path. `Chunks.master_forces` of `files/chunks.py` lists a chunk for each substrate and each five
-   masters. Its fields fill in the pattern `master_forces` of `files/paths.py`. For the three
-   masters of UNCD the path is ``filtered/exponents/DIGEST/R5um+R62.5um+R250um+R1000um/
-   H25GPa-F1.25uN+H25GPa-F10uN/rho5.6nm/uncd/DIGEST/ruby/smooth/realizations-1-3.nc``. The first
-   digest is of the settings, the second of the rows of uncd in the table of surfaces. The sphere,
-   ruby, is smooth.
-4. Rule. `fit_exponents` in `rules/band.smk` asks for these paths, and `compute_filtered_forces` in
-   `rules/masters.smk` makes them. Its inputs, `Chunks.master_inputs`, are scans and spectra,
-   because the masters of `exponents` are no files.
-5. Script. `compute_filtered_forces.py` makes each master, and computes the forces on it at each
-   cutoff, radius, loading and range.
-6. Dataset. `fit_exponents.py` fits the exponents to the forces of all paths: `exponents.nc`.
+"Forces on masters" in workflow/README.md has a table of the purposes, and follows one of them from
+its keys to its dataset.
 """
 
 from collections.abc import Mapping, Sequence

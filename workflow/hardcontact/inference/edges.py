@@ -10,7 +10,6 @@ Curves of both sides may share one dimension of cutoffs. Each is NaN at the cuto
 """
 
 from enum import StrEnum
-from operator import truediv
 from typing import Any
 
 import numpy as np
@@ -24,6 +23,7 @@ from hardcontact.inference.mean_forces import (
     MasterScans,
     half_width_over_masters,
     logarithmic_interval,
+    mean_force_ratio,
     summarize_masters,
 )
 
@@ -83,6 +83,7 @@ def find_edges(
     is_outside = (changes < lower) | (changes > upper)
     first_outside, last_inside = _first_and_last_before(signed_cutoffs, is_outside)
     change_outside = changes.where(signed_cutoffs == first_outside).max(CUTOFF)
+    # Without a cutoff inside, the curve comes from the end of its spectrum, where it is zero.
     change_inside = changes.where(signed_cutoffs == last_inside).max(CUTOFF).fillna(0.0)
     cutoff_inside = abs(last_inside).fillna(xr.as_variable(spectrum_ends))
     crossed_limit = change_outside.clip(lower, upper)
@@ -91,11 +92,13 @@ def find_edges(
     # An open edge comes after the last cutoff inside or, if none is inside, before the first one.
     is_open = edge.isnull()
     signed_bound = last_inside.fillna(first_outside).where(is_open)
-    comes_before_bound = first_outside.notnull()
+    starts_outside = first_outside.notnull()
     is_short = signed_bound > 0
-    # Before the bound are shorter wavelengths on the short side, longer ones on the long side.
-    is_below_bound = is_short == comes_before_bound
-    open_status = np.where(is_below_bound, EdgeStatus.OPEN_BELOW, EdgeStatus.OPEN_ABOVE)
+    open_status = np.select(
+        [is_short & starts_outside, is_short & ~starts_outside, ~is_short & starts_outside],
+        [EdgeStatus.OPEN_BELOW, EdgeStatus.OPEN_ABOVE, EdgeStatus.OPEN_ABOVE],
+        EdgeStatus.OPEN_BELOW,  # on the long side, inside to the last
+    )
     return xr.Dataset(
         {
             "edge": (edge.dims, edge.values, NM),
@@ -295,7 +298,7 @@ def edges_of_shared_scans(
 def _ratios_of_masters(master_forces: MasterForces, confidence: float) -> xr.Dataset:
     """Return the force ratios of one surface and side, with intervals and their source."""
     shifts = master_forces.forces.get("log_ratio_shift")
-    half_width = half_width_over_masters(master_forces, truediv, shifts, confidence)
+    half_width = half_width_over_masters(master_forces, mean_force_ratio, shifts, confidence)
     ratio = master_forces.forces.filtered_force_ratio.mean("realization").values
     interval = logarithmic_interval(ratio, half_width)
     return xr.Dataset(

@@ -177,18 +177,30 @@ def summarize_masters(
     return stack(summaries, ["surface", "side"])
 
 
+def mean_unfiltered_force(forces: xr.Dataset, kept_contacts: xr.DataArray) -> xr.DataArray:
+    """Return the mean force (realization,) over the kept contacts of each unfiltered master."""
+    return xr.DataArray(forces.unfiltered_pull_off_force.where(kept_contacts).mean(CONTACT_AXES))
+
+
+def mean_force_ratio(forces: xr.Dataset, kept_contacts: xr.DataArray) -> xr.DataArray:
+    """Return the ratio (realization, cutoff_wavelength) of filtered to unfiltered mean forces."""
+    filtered_force = xr.DataArray(forces.pull_off_force.where(kept_contacts).mean(CONTACT_AXES))
+    ratio = filtered_force / mean_unfiltered_force(forces, kept_contacts)
+    return ratio.transpose("realization", ...)
+
+
 def half_width_over_masters(
     master_forces: MasterForces,
-    statistic: Callable[[xr.DataArray, xr.DataArray], xr.DataArray],
+    statistic: Callable[[xr.Dataset, xr.DataArray], xr.DataArray],
     shifts: xr.DataArray | None,
     confidence: float,
 ) -> Floats:
     """Return the half width (...) of the interval of the logarithm of a statistic over masters.
 
-    The statistic (realization, ...) is a function of the filtered and unfiltered mean forces, such
-    as their ratio. `shifts` (realization, ...) are the changes of its logarithm on masters of
-    sampled spectra (`forces_on_masters.add_spectrum_shifts`), None if no spectra are sampled. Up to
-    three independent variances of the logarithm add:
+    The statistic is `mean_force_ratio` or `mean_unfiltered_force`. `shifts` (realization, ...) are
+    the changes of its logarithm on masters of sampled spectra
+    (`forces_on_masters.add_spectrum_shifts`), None if no spectra are sampled. Up to three
+    independent variances of the logarithm add:
 
     1. other scans: the jackknife over parts of the scans;
     2. other random numbers on the same scans: the scatter over realizations. Only quarters miss
@@ -197,19 +209,13 @@ def half_width_over_masters(
     """
     forces, scan_parts = master_forces
 
-    def contact_statistic(kept_contacts: xr.DataArray) -> xr.DataArray:
-        """Return the statistic (realization, ...) over the kept contacts of each master."""
-        filtered = forces.pull_off_force.where(kept_contacts).mean(CONTACT_AXES)
-        unfiltered = forces.unfiltered_pull_off_force.where(kept_contacts).mean(CONTACT_AXES)
-        return statistic(filtered, unfiltered).transpose("realization", ...)
-
     delete_one_log_means = delete_one_logarithms(
-        scan_parts, "realization", lambda kept: contact_statistic(kept).mean("realization")
+        scan_parts, "realization", lambda kept: statistic(forces, kept).mean("realization")
     )
     variances = [jackknife_variance(delete_one_log_means, scan_parts)]
     count = forces.sizes["realization"]
     if scan_parts.are_quarters and count > 1:
-        logarithms = np.log(contact_statistic(xr.DataArray(True)).values)
+        logarithms = np.log(statistic(forces, xr.DataArray(True)).values)
         variances.append(Variance(logarithms.var(axis=0, ddof=1) / count, count - 1))
     if shifts is not None and shifts.notnull().any():
         # A shift is the change of the logarithm by one sampled spectrum; shifts scatter about zero.

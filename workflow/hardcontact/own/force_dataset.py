@@ -32,6 +32,7 @@ from hardcontact.inference.mean_forces import (
     half_width_over_masters,
     logarithmic_interval,
     mean_intervals,
+    mean_unfiltered_force,
     position_half_width,
     summarize_masters,
 )
@@ -175,7 +176,9 @@ def _forces_on_masters(
         """Return the extrapolated force of one surface and side."""
         force = work * master_forces.forces.unfiltered_pull_off_force.mean().values
         shifts = master_forces.forces.get("log_unfiltered_force_shift")
-        half_width = half_width_over_masters(master_forces, _unfiltered_force, shifts, confidence)
+        half_width = half_width_over_masters(
+            master_forces, mean_unfiltered_force, shifts, confidence
+        )
         interval = logarithmic_interval(force, half_width)
         return xr.Dataset(
             as_variables("extrapolated_force", (), force, interval, NEWTON, confidence)
@@ -187,11 +190,6 @@ def _forces_on_masters(
 
     transition = filtered_forces["transition"]
     return summarize_masters(filtered_forces, master_scans, summary).assign(transition=transition)
-
-
-def _unfiltered_force(filtered: xr.DataArray, unfiltered: xr.DataArray) -> xr.DataArray:
-    """Return the unfiltered force, as a statistic of the filtered and unfiltered mean forces."""
-    return unfiltered
 
 
 def _add_extrapolated_forces(

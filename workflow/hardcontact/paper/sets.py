@@ -1,8 +1,15 @@
 """Sets of scans: forces, fit, band and claims of each, computed as for the study, for sets.nc.
 
-A set has as many scans and masters of each substrate as the study. Its scans of a substrate come
-from `pool`, are a candidate of `featured_candidates`, or stay those of the study. Its masters are
-sampled with replacement from masters that all sets share.
+A set has as many scans and masters of each substrate as the study. Forces, and with them the fit,
+come from the scans, edges from the masters. Both are sampled independently. Masters are sampled
+with replacement from masters that all sets share. Scans depend on the substrate:
+
+    substrate                     scans of a set
+    substitute without features   sampled from `pool`
+    substitute with features      one of `featured_candidates`
+    measured                      those of the study, with a mean force sampled by Student's t
+
+Forces on sampled scans are those of a smooth sphere times `sphere_factor`, to save time.
 """
 
 from collections.abc import Mapping, Sequence
