@@ -253,6 +253,10 @@ def test_the_spectrum_warns_of_filled_pixels_and_of_cautions(files):
     assert "holed.txt: 2 undefined pixels filled" in messages and len(messages) == 2
     assert_says(messages[0], "holed.txt: ", "of its pixels are spikes")
     assert {warning.filename for warning in caught} == {__file__}
+    scan = hc.read_scan("holed.txt", unit="nm", map_size=1280.0, undefined_pixels="harmonic")
+    with pytest.warns(UserWarning, match="^roughness: .* of its pixels are spikes") as caught:
+        hc.predict(scan, rho=5.6, work=0.0463, **SPHERE, **LOAD)
+    assert caught[0].filename == __file__
 
 
 HOLED = np.ma.masked_greater(np.random.default_rng(1).normal(size=(32, 32)), 3)

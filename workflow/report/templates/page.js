@@ -92,8 +92,10 @@ function reveal() {
 addEventListener("hashchange", reveal);
 reveal();
 
-// A page that was mailed alone has no figures beside it. It then loses its links to other pages and files.
+// A page that was mailed alone has no figures beside it. It then loses its links to other pages and files, and sentences
+// that are nothing but such links.
 function unlink() {
+  document.querySelectorAll(".linked").forEach(sentence => sentence.remove());
   document.querySelector(".menu.pages")?.remove();
   document.querySelector("footer").append(" · Other pages and files are in the folder of the study.");
   document.querySelectorAll("a:not([href^='#'], [href*='://'])").forEach(link => link.removeAttribute("href"));
