@@ -92,7 +92,7 @@ def scan_force_numbers(
     scan = own_spectrum.scans[0]  # For two bodies, this is the sum of their maps.
     mirrored_scan = mirror_in_float32(scan)
     contact = contact_on_scan(scan, contact)  # It differs only in its window.
-    surface_forces = _plastic_forces(scan, own_spectrum.body_maps, contact)
+    surface_forces = _plastic_forces(mirrored_scan, own_spectrum.body_maps, contact)
     wide_pixel_ratio = _wide_pixel_ratio(scan, mirrored_scan, contact)
     # Finer pixels would lower forces: the low ends of intervals are divided (`own.wide_pixels`).
     pixel_divisor = float(np.fmax(wide_pixel_ratio, 1.0))
@@ -111,7 +111,7 @@ def scan_force_numbers(
 
 
 def _plastic_forces(
-    scan: HeightMap, body_maps: Sequence[HeightMap], contact: Contact
+    mirrored_scan: HeightMap, body_maps: Sequence[HeightMap], contact: Contact
 ) -> SurfaceForces:
     """Return the plastic forces (N) of a smooth sphere, or of a rough sphere at many positions.
 
@@ -124,11 +124,12 @@ def _plastic_forces(
         spheres = spheres_at_positions(sphere, math.isqrt(SPHERE_POSITIONS))
         joined_bodies = [join_bodies(substrate, moved, contact) for moved in spheres]
     else:
-        joined_bodies = [join_bodies(mirror_in_float32(scan), None, contact)]
+        joined_bodies = [join_bodies(mirrored_scan, None, contact)]
     pull_off = pull_off_on_spheres(dict(enumerate(joined_bodies)), contact, [contact.rho])
     forces = contact.work * pull_off["pull_off_force"].sel(contact_model=PLASTIC, drop=True)
     touched_patches = float(pull_off["touched_patches"].max())
-    return forces_of_surface(forces.expand_dims("scan"), scan.size, contact.radius, touched_patches)
+    scan_size = mirrored_scan.size / 2
+    return forces_of_surface(forces.expand_dims("scan"), scan_size, contact.radius, touched_patches)
 
 
 def _mean_force(
