@@ -11,6 +11,7 @@ from validate_random_surfaces import (
 
 
 @pytest.mark.study
+@pytest.mark.filterwarnings("ignore:roughness")  # Pillars are a caution: the closed form fails.
 @pytest.mark.parametrize("family", FAMILIES)
 def test_no_interval_excludes_the_force_on_pixels_four_times_finer(family):
     case = random_case(family, 0, 128)
