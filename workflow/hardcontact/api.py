@@ -215,21 +215,21 @@ def read_spectrum(
         own_spectrum = read_own_spectrum(
             files, options, dataset=dataset, sphere_radius=sphere_radius
         )
-    for caution in _cautions(own_spectrum):
-        warnings.warn(caution, stacklevel=2)
+    _warn_of_cautions(own_spectrum)
     spectrum = own_spectrum.spectrum
     if extrapolated and isinstance(spectrum, ScanSpectrum):
         return spectrum.extrapolated()
     return spectrum
 
 
-def _cautions(own_spectrum: OwnSpectrum) -> list[str]:
-    """Return what makes a spectrum less sure: cautions on its scans, and filled pixels."""
+def _warn_of_cautions(own_spectrum: OwnSpectrum) -> None:
+    """Warn the caller of a public function of cautions on scans, and of filled pixels."""
     _, cautions = split_notes(own_spectrum.notes)
     for scan in own_spectrum.scans:
         if scan.undefined_count:
             cautions.append(f"{scan.name}: {scan.undefined_count} undefined pixels filled")
-    return cautions
+    for caution in cautions:
+        warnings.warn(caution, stacklevel=3)
 
 
 def pull_off_forces(
@@ -483,6 +483,5 @@ def predict(
     contacts_per_row = PAPER_CONTACT.contacts_per_row
     contact = Contact(**quantities, rho=rho, work=work, contacts_per_row=contacts_per_row)
     raise_faults(filter(None, [wide_contact_message(contact)]))
-    for caution in _cautions(own_spectrum):
-        warnings.warn(caution, stacklevel=2)
+    _warn_of_cautions(own_spectrum)
     return prediction_and_scan_force(own_spectrum, contact, tolerance, PAPER_CONFIDENCE)

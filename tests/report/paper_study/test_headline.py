@@ -51,7 +51,7 @@ def test_an_undecided_long_edge_of_random_waves_rests_on_chance(changed, options
 
 @pytest.mark.parametrize(("masters", "few"), [(3, True), (4, False)])
 def test_repetitions_are_few_below_four_masters(masters, few):
-    assert facts(Number("masters", masters))["few_repetitions"] == few
+    assert facts(Number("masters", masters))["has_few_masters"] == few
 
 
 def test_sets_agree_with_claims_that_they_judge():

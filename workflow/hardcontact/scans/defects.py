@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length, format_share
 from hardcontact.base.statistics import MEDIAN_DEVIATION
+from hardcontact.scans.line_patterns import MIN_WAVES, find_line_patterns
 from hardcontact.scans.reliable_wavelengths import FLATTEST_SLOPE, MIN_STANDARD_ERRORS
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.levelling import MIN_STREAK_STEPS, fill_streaks, remove_form
@@ -64,16 +65,6 @@ SIDEWALL_PIXEL_SHARE = 0.05
 #: Least share of sidewalls in the sum of squared slopes. The share of the steepest pixels is 0.2 to
 #: 0.45 on rough surfaces, 0.8 to 1 with pillars and steps.
 MIN_SIDEWALL_SLOPE_SHARE = 0.7
-#: A lay has more than this ratio of the variance of profiles along its wavevector to the variance
-#: across; the defect "slopes", of squared slopes.
-MIN_LAY_RATIO = 3.0
-#: Least share of a lay in the variance of heights: smaller ones are drift and noise of lines. Of
-#: 5400 self-affine maps without a roll-off (H from 0.5 to 1), two exceed ratio and share.
-MIN_LAY_SHARE = 0.1
-#: Least wavelength in profiles, in pixels: shorter waves are noisy.
-MIN_PIXELS_PER_WAVE = 4
-#: Least number of periods of a wave in the size: longer random waves are few.
-MIN_WAVES = 4
 #: Least share of noise in the variance of heights: it changes the rms height by one per cent.
 MIN_NOISE_SHARE = 0.02
 #: A curvature is a defect if less than this share of the rms height is left without it.
@@ -83,11 +74,6 @@ MAX_UNCURVED_SHARE = 0.9
 MIN_SECOND_ORDER_RATIO = 50.0
 #: Least number of points per row to which polynomials are fitted, if a map has so many pixels.
 POLYNOMIAL_POINTS = 32
-#: Least correlation of a step from line to line with the next step, if lines have no offsets. It is
-#: 0 if heights walk at random, -0.5 if noise of the instrument offsets each line.
-MIN_STEP_CORRELATION = -0.25
-#: Largest ratio of powers that is stated: a pattern without noise has an infinite ratio.
-LARGEST_RATIO = 1e6
 
 
 def level_and_list_defects(
@@ -139,7 +125,7 @@ def _find_defects(scan: HeightMap, heights: Floats) -> dict[str, Defect]:
         defects["sidewalls"] = _find_sidewalls(heights)
     if scan.kind == "map" and not defects.get("equal_lines"):
         power = _wave_power(heights)
-        defects |= _find_line_patterns(heights, power, scan.pixel_size)
+        defects |= find_line_patterns(heights, power, scan.pixel_size)
         # Rounding of quantised heights, most of which equal the next height, is noise, too.
         is_quantised = np.median(np.abs(np.diff(scan.heights, axis=0))) == 0
         hiding_defects = ("spikes", "sidewalls", "offset_lines")
@@ -259,93 +245,6 @@ def _find_curvature(heights: Floats, pixel_size: float) -> Defect:
         "curvature_radius": float(1 / np.abs(curvatures).max()),
         "uncurved_share": float(np.sqrt(uncurved_squares / total)),
     }
-
-
-def _find_line_patterns(heights: Floats, power: Floats, pixel_size: float) -> dict[str, Defect]:
-    """Find offset lines and a lay; without either, slopes that depend on direction."""
-    pixels = len(power)
-    waves = np.fft.fftfreq(pixels, 1 / pixels)
-    wavevector = waves + 1j * waves[:, None]  # x + iy, in waves across the map
-    patterns = {"offset_lines": _find_line_offsets(heights), "lay": _find_lay(power, wavevector)}
-    if not any(patterns.values()) and _slope_ratio(power, wavevector) > MIN_LAY_RATIO:
-        patterns["slopes"] = _find_directional_slopes(heights, pixel_size)
-    return patterns
-
-
-def _is_resolved(wavenumber: Floats, pixels: int) -> NDArray[np.bool_]:
-    """Return whether waves are short enough to be many in a map, and long enough for its pixels."""
-    return (MIN_WAVES <= wavenumber) & (wavenumber <= pixels / MIN_PIXELS_PER_WAVE)
-
-
-def _find_lay(power: Floats, wavevector: NDArray[np.complex128]) -> Defect:
-    """Return the ratio of the variance of profiles along the wavevector of a lay to that across.
-
-    The direction along which profiles vary most is a mean over waves, weighted by their power. A
-    wave has two opposite wavevectors, at angles that differ by 180°, and their mean would be zero.
-    So the mean is taken of the doubled angles, which are equal, and then halved. For example, a
-    power of 3 at 0° and 180°, and of 1 at 90° and 270°, sums to 3 at 0° and 1 at 180°, thus to 2 at
-    0°: the direction is 0°.
-
-    A profile shows of a wavevector only the component along the profile, so the variance of
-    profiles is the power of all waves of which this component is resolved.
-    """
-    pixels = len(power)
-    wavenumber = np.abs(wavevector)
-    is_resolved = _is_resolved(wavenumber, pixels)
-    # The square of a complex number has the doubled angle.
-    directions = wavevector[is_resolved] / wavenumber[is_resolved]
-    doubled_angle = np.angle((power[is_resolved] * directions**2).sum())
-    lay_wavevector = np.exp(0.5j * doubled_angle)  # of unit length
-
-    def profile_variance(direction: complex) -> float:
-        component = np.abs((wavevector * np.conj(direction)).real)
-        return float(power[_is_resolved(component, pixels)].sum())
-
-    variance_along = profile_variance(lay_wavevector)
-    variance_across = profile_variance(1j * lay_wavevector)
-    is_lay = variance_along > max(MIN_LAY_RATIO * variance_across, MIN_LAY_SHARE * power.sum())
-    return {"lay_ratio": _limited_ratio(variance_along, variance_across)} if is_lay else {}
-
-
-def _slope_ratio(power: Floats, wavevector: NDArray[np.complex128]) -> float:
-    """Return the ratio of squared slopes of resolved waves along the steepest direction to across.
-
-    The squared slope of a wave is its power times its squared wavenumber. Its sum is that of the
-    squared slopes along both directions. The length of the sum at doubled angles is the difference:
-    squared slopes of 3 along x and 1 along y have the sum 4, the difference 2, and the ratio 3.
-    """
-    wavenumber = np.abs(wavevector)
-    is_resolved = _is_resolved(wavenumber, len(power))
-    squared_slopes = (power * wavenumber**2)[is_resolved].sum()
-    difference = abs((power * wavevector**2)[is_resolved].sum())
-    return _limited_ratio(squared_slopes + difference, squared_slopes - difference)
-
-
-def _limited_ratio(larger: float, smaller: float) -> float:
-    """Return the ratio of two powers, at most LARGEST_RATIO; 1 if both are zero."""
-    return float(larger / max(smaller, larger / LARGEST_RATIO)) if larger else 1.0
-
-
-def _find_line_offsets(heights: Floats) -> Defect:
-    """Return the rms offset (nm) of lines that are offset at random."""
-    steps = np.diff(heights, axis=0)
-    line_steps = steps.mean(axis=1)
-    is_large = line_steps.var() > steps.var() / 2
-    is_random = _correlation_of_steps(line_steps) < MIN_STEP_CORRELATION
-    return {"line_offset": float(line_steps.std() / np.sqrt(2))} if is_large and is_random else {}
-
-
-def _correlation_of_steps(steps: Floats) -> float:
-    """Return the correlation of each step with the next step along the first axis."""
-    return float((steps[1:] * steps[:-1]).mean() / max((steps**2).mean(), np.finfo(float).tiny))
-
-
-def _find_directional_slopes(heights: Floats, pixel_size: float) -> Defect:
-    """Return the rms slopes along x and y; none if noise of lines makes the larger one."""
-    steps = [np.diff(lines, axis=0) for lines in (heights.T, heights)]
-    slopes = [float(axis_steps.std()) / pixel_size for axis_steps in steps]
-    is_noise = _correlation_of_steps(steps[int(np.argmax(slopes))]) < MIN_STEP_CORRELATION
-    return {} if is_noise else {"slope_along_x": slopes[0], "slope_along_y": slopes[1]}
 
 
 def _find_noise(variance: float, power: Floats) -> Defect:

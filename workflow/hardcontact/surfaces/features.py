@@ -9,9 +9,9 @@ made until they are chosen. Scans of the study take the nearest to Table 1 of ma
 features. Other surfaces, such as the candidates of sets, take the first permitted features.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import pandas as pd
@@ -19,6 +19,7 @@ import xarray as xr
 from numpy.typing import ArrayLike
 
 from hardcontact.base.arrays import Floats
+from hardcontact.base.progress import progress
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.metrics import TABLE1_METRICS
@@ -216,6 +217,20 @@ def featured_surface(substitute: Substitute) -> FeaturedSurface:
     scan_count = int(substitute.constants["value"]["scans_per_surface"])
     means = required_targets(substitute).means
     return FeaturedSurface(substitute, published_statistics(means, substitute.table1, scan_count))
+
+
+def whole_surfaces(
+    substitute: Substitute, description: str, parameters: Mapping[str, Any]
+) -> Iterator[tuple[int, HeightMap]]:
+    """Yield the numbers of whole surfaces of a job, each with its `whole_surface`."""
+    numbers = parameters["surface_numbers"]
+    for number in progress(numbers, len(numbers), "surfaces"):
+        yield (
+            number,
+            whole_surface(
+                substitute, parameters["has_features"], description, number, **parameters["grid"]
+            ),
+        )
 
 
 def whole_surface(

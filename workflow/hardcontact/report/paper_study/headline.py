@@ -30,7 +30,7 @@ def headline_facts(
     facts: dict[str, Any] = {
         "undecided": undecided,
         "agreeing_sets": agreeing_sets(claims, set_count),
-        "few_repetitions": numbers["masters"].value < MIN_MASTERS,
+        "has_few_masters": numbers["masters"].value < MIN_MASTERS,
         "coating_count": len(coating_numbers),
         "outermost_coatings": outermost_coatings(coating_numbers),
         # Whether more roughness means less force in each of the strongest octaves.
@@ -47,7 +47,7 @@ def headline_facts(
         facts["rests_on_chance"] = (
             "long_edge_first" in undecided
             and numbers["long_edge_first"].source == "artificial"
-            and not facts["few_repetitions"]
+            and not facts["has_few_masters"]
         )
         if "band_is_sufficient" in undecided:
             facts["crossed_limits"] = crossed_limits(
