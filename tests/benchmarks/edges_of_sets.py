@@ -36,14 +36,13 @@ def claimed_edges(filtered_forces, ratio, settings):
     sampling = Sampling(settings["seed"], 0, settings["confidence"])  # no samples, only edges
     ratios = filtered_forces.drop_dims("realization").assign(filtered_force_ratio=ratio)
     edges, _ = edges_of_independent_masters(ratios, settings["tolerance"], sampling)
-    # The ids of claims say "first" for the outermost edge, "mean" for the averaged one.
-    edges_by_suffix = {
-        "first": outermost_edge(edges),
-        "mean": band_edge(edges).sel(group=AVERAGED),
+    edges_by_kind = {
+        "outermost": outermost_edge(edges),
+        "averaged": band_edge(edges).sel(group=AVERAGED),
     }
     return {
-        f"{side}_edge_{suffix}": edge["value"].sel(side=side).item()
-        for suffix, edge in edges_by_suffix.items()
+        f"{kind}_{side}_edge": edge["value"].sel(side=side).item()
+        for kind, edge in edges_by_kind.items()
         for side in ("short", "long")
     }
 

@@ -21,7 +21,7 @@ TABLE = ROOT / "tests/full_study.csv"
 SHOWN_FILES = ("answer.html", "figures/fig6.png")
 #: Claims on edges, on forces at the published range and work of adhesion, and on both.
 CLAIMS = (
-    "short_edge_first", "short_edge_mean", "long_edge_first", "long_edge_mean",
+    "outermost_short_edge", "averaged_short_edge", "outermost_long_edge", "averaged_long_edge",
     "mean_force_polished_uncd", "mean_force_uncd", "mean_force_ncd", "mean_force_mcd",
     "range_of_adhesion", "work_of_adhesion", "range_moves_short_edge",
     "plasticity_moves_short_edge",

@@ -59,7 +59,7 @@ def band() -> xr.Dataset:
     """Return both edges of each group, and changes of 0.1 at the cutoffs of each side."""
     cutoffs = np.concatenate(list(CUTOFFS.values()))
     is_computed = np.array([np.isin(cutoffs, side_cutoffs) for side_cutoffs in CUTOFFS.values()])
-    groups = [*SUBSTRATES, "mean"]
+    groups = [*SUBSTRATES, "averaged"]
     change = xr.DataArray(np.where(is_computed, 0.1, np.nan), dims=("side", "cutoff_wavelength"))
     edges = [[60.0] * 5, [1667.0] * 5]
     return xr.Dataset(
@@ -102,7 +102,7 @@ def edge_shifts() -> xr.Dataset:
     return xr.Dataset(
         {"edge": (("contact_model", "rho", "side", "group"), np.full((2, 2, 1, 5), 50.0))},
         {"contact_model": ["rigid", "plastic"], "rho": [1.0, 5.6], "side": ["short"],
-         "group": [*SUBSTRATES, "mean"]},
+         "group": [*SUBSTRATES, "averaged"]},
     )  # fmt: skip
 
 

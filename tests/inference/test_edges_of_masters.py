@@ -23,7 +23,7 @@ def test_averaged_change_is_the_mean_of_absolute_changes():
     decreasing = [[1.0, 0.8, np.nan, np.nan], [np.nan, np.nan, 0.6, 1.0]]
     edges = edges_of([[increasing], [decreasing]])
     np.testing.assert_allclose(
-        edges.filtered_force_change.sel(group="mean"),
+        edges.filtered_force_change.sel(group="averaged"),
         [[0.0, 0.2, np.nan, np.nan], [np.nan, np.nan, 1.2, 0.0]],
     )
     assert edges.filtered_force_ratio.dims == ("side", "surface", "cutoff_wavelength")

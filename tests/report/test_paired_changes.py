@@ -38,7 +38,7 @@ def study(factor=1.0, scatter=0.0, rms=11.0, **settings):
             "range_of_adhesion": fits, "work_of_adhesion": fits, "edge": edges,
         },
         {
-            "claim": ["short_edge_mean", "mean_force_uncd"],
+            "claim": ["averaged_short_edge", "mean_force_uncd"],
             "contact_model": ["rigid", "plastic"], "side": ["short", "long"], "group": ["uncd"],
             "surface": ["uncd"],
         },
@@ -65,8 +65,8 @@ def study(factor=1.0, scatter=0.0, rms=11.0, **settings):
 def compared_numbers(factor):
     """Numbers that change by a factor within their intervals; sets lack the first, an octave."""
     names = [
-        ("", "octave_1"), ("", "short_edge"), ("", "bumps_mean_force"), ("UNCD", "long_edge"),
-        ("UNCD", "mean_force"),
+        ("", "octave_1"), ("", "averaged_short_edge"), ("", "bumps_mean_force"),
+        ("UNCD", "long_edge"), ("UNCD", "mean_force"),
     ]  # fmt: skip
     return [
         ComparedNumber(surface, name, Number(name, 1, "", 0.5, 2), Number(name, factor, "", 0.5, 2))

@@ -63,4 +63,4 @@ def test_a_study_of_real_scans_has_plausible_roughness_edges_and_forces(reposito
     cautions = {note["code"] for note in read_answer(results)["notes"] if note["kind"] == "caution"}
     assert "conditional_intervals" in cautions
     # Waves shorter than the scans show keep the sphere clearly away.
-    assert surface["force_extrapolated_short"]["value"] < 0.7 * mean["value"]
+    assert surface["extrapolated_force_short"]["value"] < 0.7 * mean["value"]

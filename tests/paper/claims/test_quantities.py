@@ -276,7 +276,7 @@ def test_the_outermost_edge_is_that_of_the_surface_whose_force_changes_first():
         }
         | between_multiples("edge", ("side", "group"), edges, (0.9, 1.1)),
         {
-            "side": ["short", "long"], "group": ["uncd", "mcd", "mean"],
+            "side": ["short", "long"], "group": ["uncd", "mcd", "averaged"],
             "cutoff_wavelength": cutoffs,
         },
     )  # fmt: skip

@@ -30,7 +30,7 @@ def test_bands_are_filled_where_both_ends_are_bounded():
 def test_edges_at_the_last_cutoff_are_open(numbers, symbols):
     axes = Figure().subplots()
     edges = xr.Dataset(
-        dict(zip(("value", "low", "high"), numbers, strict=True)), {"group": "mean"}
+        dict(zip(("value", "low", "high"), numbers, strict=True)), {"group": "averaged"}
     ).expand_dims("group")
     no_surface = xr.DataArray([], {"surface": []}, name="label")
     panels.draw_edges(axes, edges, no_surface, {">": 500})

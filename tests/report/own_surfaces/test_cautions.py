@@ -152,7 +152,7 @@ def test_a_tail_of_unknown_exponent_gives_no_force():
     (surface,) = surface_answers(changed, setting())
     (tail,) = [caution for caution in surface.cautions if caution.code == "tail"]
     assert tail.numbers["exponent_known"].value == 0
-    extrapolated_force = surface.numbers["force_extrapolated_short"]
+    extrapolated_force = surface.numbers["extrapolated_force_short"]
     assert np.isnan(extrapolated_force.value) and extrapolated_force.status == "no_exponent"
 
 

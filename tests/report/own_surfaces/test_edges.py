@@ -34,10 +34,10 @@ from hardcontact.report.own_surfaces.edges import (
     ("data", "expected"),
     [
         (move_edge(120.0, 90.0, 150.0), ("measured", 90.0, 150.0)),
-        (move_edge(70.0, 40.0, 90.0), ("partly_unreliable", None, 90.0)),
-        (move_edge(37.0, 20.0, 90.0), ("unreliable", None, None)),
+        (move_edge(70.0, 40.0, 90.0), ("partly_extrapolated", None, 90.0)),
+        (move_edge(37.0, 20.0, 90.0), ("extrapolated", None, None)),
         (move_edge(120.0, np.nan, np.nan), ("measured", None, None)),
-        (move_edge(120.0, 40.0, 150.0), ("interval_unreliable", None, 150.0)),
+        (move_edge(120.0, 40.0, 150.0), ("interval_extrapolated", None, 150.0)),
     ],
 )
 def test_unreliable_ends_of_intervals_are_left_out(data, expected):
@@ -73,7 +73,7 @@ def test_open_edges_are_bounds():
     edges_open_below["edge_bound"].loc[{"side": "long"}] = 30_000.0  # beyond the scans
     assert (
         edge_source(datasets(edges=edges_open_below).select_surface(SURFACES[0]), "long")
-        == "unreliable"
+        == "extrapolated"
     )
 
 

@@ -79,11 +79,11 @@ def test_an_edge_at_wavelengths_of_artificial_roughness_says_so():
     sources = {}
     for short, long in ((20.0, 5000.0), (80.0, 1000.0)):
         filtered_forces = datasets()["filtered_forces"].assign(transition=("side", [short, long]))
-        rows = change_claim("short_edge_first", computed=50.0)
-        rows.loc[rows["id"] == ANSWER_CLAIMS["long_edge_first"], "computed"] = 2000.0
+        rows = change_claim("outermost_short_edge", computed=50.0)
+        rows.loc[rows["id"] == ANSWER_CLAIMS["outermost_long_edge"], "computed"] = 2000.0
         content = answer(rows, filtered_forces=filtered_forces)
         numbers = numbers_of_answer(content)
-        names = ("short_edge_first", "long_edge_first", "plasticity_shift", "range_shift")
+        names = ("outermost_short_edge", "outermost_long_edge", "plasticity_shift", "range_shift")
         sources[short] = [numbers[name].source for name in names]
         mcd = numbers_of_answer(content, "mcd")
         assert mcd["short_edge"].source == sources[short][0]
@@ -96,7 +96,7 @@ def test_an_edge_at_wavelengths_of_artificial_roughness_says_so():
 def test_the_headline_explains_an_undecided_long_edge_of_artificial_roughness(
     verdict, edge, explained
 ):
-    rows = change_claim("long_edge_first", verdict=verdict, computed=edge)
+    rows = change_claim("outermost_long_edge", verdict=verdict, computed=edge)
     (line,) = [line for line in answer(rows)["headline"] if line.startswith("Long edge")]
     assert line.startswith(f"Long edge, {verdict}: ")
     assert ("This edge rests on chance" in line) == explained

@@ -15,8 +15,8 @@ def facts(*changed_numbers, verdict="undecided", judged=True):
     """Facts of a study with five masters, whose long edge lies in artificial roughness."""
     numbers = numbers_by_name(
         Number("masters", 5),
-        Number("short_edge_first", 37.0, "nm"),
-        Number("long_edge_first", 2700.0, "nm", source="artificial"),
+        Number("outermost_short_edge", 37.0, "nm"),
+        Number("outermost_long_edge", 2700.0, "nm", source="artificial"),
         Number("band_force_ratio", 1.09, "1", 1.02, 1.18),
         Number("plasticity_shift", 3.3, "1", 1.8, 4.2),
         Number("range_shift", 1.9, "1", 1.2, 3.2),
@@ -25,7 +25,7 @@ def facts(*changed_numbers, verdict="undecided", judged=True):
     claim = {
         "verdict": verdict, "agreeing_share": 0.27, "accepted_low": 0.9, "accepted_high": 1.1,
     }  # fmt: skip
-    claims = dict.fromkeys(["long_edge_first", "band_is_sufficient"], claim) if judged else {}
+    claims = dict.fromkeys(["outermost_long_edge", "band_is_sufficient"], claim) if judged else {}
     return headline_facts(numbers | numbers_by_name(*changed_numbers), coatings(), claims, 100)
 
 
@@ -43,7 +43,7 @@ def coatings():
     ([], {"verdict": "reproduced"}, False),
     ([], {"judged": False}, False),
     ([Number("masters", 3)], {}, False),
-    ([Number("long_edge_first", 900.0, "nm")], {}, False),
+    ([Number("outermost_long_edge", 900.0, "nm")], {}, False),
 ])  # fmt: skip
 def test_an_undecided_long_edge_of_random_waves_rests_on_chance(changed, options, rests_on_chance):
     assert facts(*changed, **options)["rests_on_chance"] == rests_on_chance
@@ -85,5 +85,5 @@ def test_roughness_lowers_the_force_if_it_does_in_each_of_the_strongest_octaves(
 
 
 def test_the_outermost_edges_are_the_shortest_short_and_the_longest_long_edge():
-    labels = {"short_edge_first": "UNCD", "long_edge_first": "NCD"}
+    labels = {"outermost_short_edge": "UNCD", "outermost_long_edge": "NCD"}
     assert outermost_coatings(coatings()) == labels

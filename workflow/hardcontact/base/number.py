@@ -25,20 +25,19 @@ Statuses. A number has a status of one of the classes in its row, or of NumberSt
     search_size             own.scan_force.ScanSize
     contact and modulus     commands.predict.QuantityStatus
 
-Sources, with the words for them on pages (own_part.html). Pages print the code `unreliable` as
-"extrapolated". The code `extrapolated` marks other numbers: forces and works of adhesion with
-artificial roughness, and the Hurst exponent and roll-off of the extrapolated spectrum.
+Sources, with the words for them on pages (own_part.html):
 
     computed                "computed": all numbers of no other source
     measured                "measured": a measured force, or an edge that rests on measured
                             roughness; for a substitute "published statistics"
     from_measured           "measured over computed force": computed from measured forces
-    unreliable              "extrapolated": an edge where no scan is reliable, or a number of which
-                            over 90 % come from there
-    partly_unreliable       "partly extrapolated": 10 to 90 % come from unreliable wavelengths
-    interval_unreliable     "measured; interval partly extrapolated": an edge of which only the
+    extrapolated            "extrapolated": an edge where no scan is reliable, or a number of which
+                            over 90 % come from there; a force or a work of adhesion with
+                            artificial roughness, which pages call "artificial roughness below ..."
+                            or "above"; Hurst exponent and roll-off of the extrapolated spectrum
+    partly_extrapolated     "partly extrapolated": 10 to 90 % come from unreliable wavelengths
+    interval_extrapolated   "measured; interval partly extrapolated": an edge of which only the
                             interval reaches unreliable wavelengths
-    extrapolated            "artificial roughness below ..." or "above": see the last sentence
     artificial              "artificial roughness": an edge of the paper's study in artificial
                             roughness, or a ratio of such edges
     published               no word: a number of the paper
@@ -66,8 +65,8 @@ class NumberStatus(StrEnum):
 
 #: Codes for the origin of a number: see the table above.
 NumberSource = Literal[
-    "computed", "measured", "from_measured", "extrapolated", "artificial", "unreliable",
-    "partly_unreliable", "interval_unreliable", "published", "given", "assumed", "file",
+    "computed", "measured", "from_measured", "extrapolated", "partly_extrapolated",
+    "interval_extrapolated", "artificial", "published", "given", "assumed", "file",
 ]  # fmt: skip
 
 

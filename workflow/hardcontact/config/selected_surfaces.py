@@ -18,8 +18,8 @@ from hardcontact.surfaces.substitute_spectra import read_segments
 NO_SCAN = 0
 #: Words in the column `use`: contacts are made on a scan, or it only enters the spectrum.
 CONTACT_USE, SPECTRUM_USE = "contact", "spectrum"
-#: Ids that surfaces cannot have: they stand for the mean over surfaces and for a smooth sphere.
-RESERVED_IDS = ("mean", SMOOTH_SPHERE)
+#: Ids that surfaces cannot have: they stand for the average over surfaces and for a smooth sphere.
+RESERVED_IDS = ("averaged", SMOOTH_SPHERE)
 #: The accepted radii (nm) of tips, from a sharp tip to a blunt stylus.
 TIP_RADIUS = Quantity("nm", 0.1, 1e5)
 LABEL = Matching("[^${}]{1,60}", "a name for figures, up to 60 characters without $, { and }")

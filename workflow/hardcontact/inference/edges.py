@@ -28,7 +28,7 @@ from hardcontact.inference.mean_forces import (
 )
 
 #: The label in `group` of the change averaged over all surfaces; other groups are single surfaces.
-AVERAGED = "mean"
+AVERAGED = "averaged"
 #: Names of the numbers of both edges by the side of the band.
 EDGE_NAMES = {"short": "short_edge", "long": "long_edge"}
 #: The dimension of curves: the cutoffs of both sides in nm.

@@ -1,7 +1,7 @@
 """Judge the claims: compare what the paper states with what the study computed.
 
 A claim is a row of resources/paper/claims.csv. It becomes a row of the claims.csv of a study in
-five steps. The claim `short_edge_first` is the example: the outermost short edge is 43 nm.
+five steps. The claim `outermost_short_edge` is the example: the outermost short edge is 43 nm.
 
 1. Its columns name datasets and a quantity, here the dataset `edges` and `outermost_edge`. The
    quantity is a variable of the dataset or, as here, a function of one of three modules, here of

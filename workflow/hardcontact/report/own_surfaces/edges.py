@@ -99,11 +99,11 @@ def _edge_without_unreliable_ends(surface_data: Datasets, side: str) -> Number:
     status = side_edges["edge_status"].item()
     # Ripples leave no edge whether the hindcast fails or not.
     if fails_hindcast(surface_data, side) and status != EdgeStatus.RIPPLES:
-        return Number(name, np.nan, "nm", status=NoValue.NO_HINDCAST, source="unreliable")
+        return Number(name, np.nan, "nm", status=NoValue.NO_HINDCAST, source="extrapolated")
     ends = [end.item() for end in interval_ends(side_edges, "edge")]
     source = edge_source(surface_data, side)
     is_hidden = [is_any_unreliable(surface_data.spectra, end, end) for end in ends]
-    low, high = np.where(np.logical_or(is_hidden, source == "unreliable"), np.nan, ends).tolist()
+    low, high = np.where(np.logical_or(is_hidden, source == "extrapolated"), np.nan, ends).tolist()
     edge = Number(name, side_edges["edge"].item(), "nm", low, high, source=source)
     if not np.isfinite(edge.value):
         edge = edge._replace(value=side_edges["edge_bound"].item(), status=status)
@@ -156,11 +156,11 @@ def edge_source(surface_data: Datasets, side: str) -> NumberSource:
     edge = float(side_edges["edge"].fillna(side_edges["edge_bound"]))
     share = reliable_share_at_edge(surface_data, side)
     if is_any_unreliable(surface_data.spectra, edge, edge) or share < 1 - NEARLY_ALL:
-        return "unreliable"
+        return "extrapolated"
     if share < NEARLY_ALL:
-        return "partly_unreliable"
+        return "partly_extrapolated"
     ends = side_edges["edge_interval"].fillna(edge).values
-    return "interval_unreliable" if is_any_unreliable(surface_data.spectra, *ends) else "measured"
+    return "interval_extrapolated" if is_any_unreliable(surface_data.spectra, *ends) else "measured"
 
 
 def surface_conclusion(numbers: Mapping[str, Number]) -> Conclusion:
@@ -168,13 +168,13 @@ def surface_conclusion(numbers: Mapping[str, Number]) -> Conclusion:
     short = _drop_partial_interval(numbers["short_edge"])
     long = _drop_partial_interval(numbers["long_edge"])
     force = _drop_partial_interval(numbers["mean_force"])
-    differing_sides = [side for side in SIDES if f"force_extrapolated_{side}" in numbers]
+    differing_sides = [side for side in SIDES if f"extrapolated_force_{side}" in numbers]
     known_sides = [
-        side for side in differing_sides if np.isfinite(numbers[f"force_extrapolated_{side}"].value)
+        side for side in differing_sides if np.isfinite(numbers[f"extrapolated_force_{side}"].value)
     ]
     sources = {short.source, long.source, numbers["mean_force_measured_share"].source}
     band_status = _describe_band(short, long, numbers["mean_force"])
-    if band_status in ("few_patches", "unresolved") or sources == {"unreliable"}:
+    if band_status in ("few_patches", "unresolved") or sources == {"extrapolated"}:
         answered = "no"
     elif sources == {"measured"} and not any([short.status, long.status, differing_sides]):
         answered = "yes"
@@ -211,7 +211,7 @@ def next_scans(numbers: Mapping[str, Number], spectra: xr.Dataset) -> list[NextS
         _next_scan(edge, numbers, spectra)
         for edge in (numbers["short_edge"], numbers["long_edge"])
         if edge.status in (*OPEN_WORDS, NoValue.NO_BAND)
-        or edge.source in ("unreliable", "partly_unreliable")
+        or edge.source in ("extrapolated", "partly_extrapolated")
     ]
 
 

@@ -63,7 +63,7 @@ def _mean_force_measured_share(surface_data: Datasets) -> Number:
     """
     reliable, unreliable = reliable_and_unreliable_change(surface_data, "short")
     share = reliable_share(reliable, unreliable)
-    source: NumberSource = "unreliable" if share < 1 - NEARLY_ALL else "partly_unreliable"
+    source: NumberSource = "extrapolated" if share < 1 - NEARLY_ALL else "partly_extrapolated"
     if unreliable <= np.log1p(surface_data.edges.attrs["tolerance"]):
         source = "measured"
     return Number("mean_force_measured_share", share, source=source)
@@ -74,7 +74,7 @@ def _extrapolated_forces(surface_data: Datasets) -> list[Number]:
     numbers = []
     for side in differing_sides(surface_data.force):
         force = surface_data.force.sel(side=side)
-        name = f"force_extrapolated_{side}"
+        name = f"extrapolated_force_{side}"
         number = extrapolated_number(force, "extrapolated_force", name, surface_data)
         numbers += [
             add_status(number, force["extrapolated_force_interval_source"]),

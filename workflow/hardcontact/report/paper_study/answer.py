@@ -1,15 +1,12 @@
 """The answer.json of the paper's study, from claims and datasets.
 
-The edges of the band have different names in claims, in answer.json and in datasets. These are the
-names of the short edges; those of the long edges are alike.
+Of each edge of the band there are three kinds. Claims and numbers of the whole study name the first
+two, the numbers of a surface the third:
 
-============== ================ ===================== ===========================================
-edge           claim            number of answer.json dataset
-============== ================ ===================== ===========================================
-outermost      short_edge_first short_edge_first      none: the shortest of all coatings
-averaged       short_edge_mean  short_edge            ``edge`` of ``edges.nc``, ``group="mean"``
-of one coating none             short_edge            ``edge`` of ``edges.nc``, ``group="mcd"``
-============== ================ ===================== ===========================================
+    outermost_short_edge    the shortest of all coatings
+    averaged_short_edge     of the change averaged over the coatings: `edge` of edges.nc,
+                            group AVERAGED
+    short_edge              of one coating: `edge` of edges.nc, with the coating as its group
 """
 
 from collections.abc import Iterator, Mapping
@@ -36,10 +33,10 @@ from hardcontact.report.templates import render_note, render_paragraphs, substit
 
 #: Claims with numbers in the answer, by the names of these numbers.
 ANSWER_CLAIMS = {
-    "short_edge": "short_edge_mean",
-    "long_edge": "long_edge_mean",
-    "short_edge_first": "short_edge_first",
-    "long_edge_first": "long_edge_first",
+    "averaged_short_edge": "averaged_short_edge",
+    "averaged_long_edge": "averaged_long_edge",
+    "outermost_short_edge": "outermost_short_edge",
+    "outermost_long_edge": "outermost_long_edge",
     "range_of_adhesion": "range_of_adhesion",
     "work_of_adhesion": "work_of_adhesion",
     "fit_error": "plastic_fits",
@@ -175,9 +172,9 @@ def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> l
     status: NumberStatus | EdgeStatus = _interval_status(row.open_end)
     averaged_edges = datasets["edges"]["edge"].sel(group=AVERAGED)
     for side, edge_name in EDGE_NAMES.items():
-        if name.startswith(edge_name):
+        if name in (f"outermost_{edge_name}", f"averaged_{edge_name}"):
             source = _edge_source(datasets["filtered_forces"], side, row.computed)
-        if name == edge_name and np.isnan(averaged_edges.sel(side=side).item()):
+        if name == f"averaged_{edge_name}" and np.isnan(averaged_edges.sel(side=side).item()):
             status = OPEN_STATUSES[side]
     if name in EDGES_WITHOUT_CAUSE:  # A shift is artificial if this edge is.
         edge = _edge_without_cause(name, datasets["edge_shifts"])

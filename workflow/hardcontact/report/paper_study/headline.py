@@ -7,7 +7,7 @@ from hardcontact.base.number import Number
 from hardcontact.paper.claims.verdicts import UNDECIDED
 
 #: Without one of these numbers the headline does not mention the band.
-BAND_NUMBERS = {"band_force_ratio", "short_edge_first", "long_edge_first"}
+BAND_NUMBERS = {"band_force_ratio", "outermost_short_edge", "outermost_long_edge"}
 #: How many times longer yielding, and the range of adhesion, make the averaged short edge.
 SHIFTS = ("plasticity_shift", "range_shift")
 SENSITIVITIES = ("octave_1_sensitivity", "octave_2_sensitivity", "octave_3_sensitivity")
@@ -45,8 +45,8 @@ def headline_facts(
     if facts["has_band"]:
         # Few masters would be another reason why the verdict on the long edge is open.
         facts["rests_on_chance"] = (
-            "long_edge_first" in undecided
-            and numbers["long_edge_first"].source == "artificial"
+            "outermost_long_edge" in undecided
+            and numbers["outermost_long_edge"].source == "artificial"
             and not facts["has_few_masters"]
         )
         if "band_is_sufficient" in undecided:
@@ -65,7 +65,7 @@ def agreeing_sets(claims: Mapping[str, Mapping[str, Any]], set_count: int) -> di
 def outermost_coatings(coating_numbers: Mapping[str, Mapping[str, Number]]) -> dict[str, str]:
     """Return the label of the coating with each outermost edge, by the name of this edge."""
     return {
-        f"{edge}_first": outermost(
+        f"outermost_{edge}": outermost(
             coating_numbers, key=lambda label: coating_numbers[label][edge].value
         )
         for edge, outermost in {"short_edge": min, "long_edge": max}.items()
