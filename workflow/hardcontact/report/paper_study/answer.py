@@ -91,14 +91,12 @@ def paper_answer(
         ),
         "changed": changed,
     }
-    edge = _edge_without_cause("plasticity_shift", datasets["edge_shifts"])
     headline = headline_facts(
         numbers,
         {labels[name]: coating_numbers[name] for name in substrates},
         {} if changed else facts["claims"],
         facts["set_count"],
     )
-    headline["edge_without_yielding"] = Number("edge_without_yielding", edge, "nm")
     notes = substitutes_note(facts["substitutes"])
     if facts["featured"]:
         notes.append(render_note("paper_features.txt", "features", **facts))
