@@ -41,7 +41,9 @@ def test_the_page_concludes_from_a_reason_only_if_its_interval_excludes_none():
     for low, is_resolved in ((1.9, True), (0.91, False)):
         table.loc[table["id"].isin(names), ["computed", "low", "high"]] = [3.0, low, 7.7]
         line = answer_words(Page(make_page(table)))
-        assert ("without yielding the short edge, averaged over the coatings, would be" in line) == is_resolved
+        assert (
+            "without yielding the short edge, averaged over the coatings, would be" in line
+        ) == is_resolved
         assert ("Why shorter waves hardly matter: not resolved" in line) == (not is_resolved)
 
 
