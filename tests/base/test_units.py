@@ -31,7 +31,7 @@ def test_a_quantity_becomes_a_number_in_its_unit(text, unit, value):
 )  # fmt: skip
 def test_values_that_are_no_lengths_are_refused_in_one_line(text):
     with pytest.raises(
-        ValueError, match="expected a length with a unit, such as 5.6 nm or 250 um, found"
+        ValueError, match="expected a length with a unit, such as 5.6nm or 250um, found"
     ) as refusal:
         units.parse_quantity(text, "nm")
     assert "\n" not in str(refusal.value)

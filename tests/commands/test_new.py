@@ -3,6 +3,7 @@
 import sys
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 import yaml
 from measurements import self_affine_heights
@@ -176,6 +177,14 @@ def test_all_problems_are_reported_at_once_and_nothing_is_written(folder, run):
         assert_line_says(done.errors, *message_parts)
     assert all(line.startswith("error: ") for line in done.errors)
     assert sorted(folder.rglob("*")) == files_before
+
+
+def test_a_size_without_unit_makes_no_fault_of_the_file(folder, run):
+    np.savetxt(folder / "bare.txt", rough())
+    (error,) = run(NAME, "bare.txt", "--unit", "nm", "--size", "5").errors
+    assert (
+        error == "error: --size: expected a length with a unit, such as 5.6nm or 250um, found '5'"
+    )
 
 
 #: Arguments that are refused, and parts of the message.

@@ -25,7 +25,7 @@ from hardcontact.config.user_files import refuse_unreadable
         ("sphere", "ruby", ["sphere:", "a mapping", "found 'ruby'"]),
         ("effort", "quik", ["effort: expected full or quick, found 'quik'"]),
         ("band.sphere_roughness", "yes", ["true or false", "found 'yes'"]),
-        ("contact.preload", 1e-5, ["a force with a unit, such as 10 uN,", "found 1e-05"]),
+        ("contact.preload", 1e-5, ["a force with a unit, such as 10uN,", "found 1e-05"]),
         ("contact.hardness", "30 Gpa", ["found '30 Gpa' (did you mean GPa?)"]),
         ("sphere.radius", "-250 um", ["sphere.radius:", "10 nm to 1 m", "-250 um"]),
         ("band.short.cutoffs", ["1e300 nm"], ["cutoffs.0:", "10 pm to 1 m", "'1e300 nm'"]),

@@ -49,7 +49,7 @@ def test_each_kind_of_fault_of_a_table_of_forces_has_its_line(write_table):
         (
             2,
             ["coating,0.5,", "coating,0.5,um", "bare,nan,uN", "bare,1e-3,uN*9**9", "bare,1e308,kN"],
-            ["and 4 more: expected a force with a unit, such as 10 uN, found '0.5 '"],
+            ["and 4 more: expected a force with a unit, such as 10uN, found '0.5 '"],
         ),
         (7, ["other,1,uN"], [": surface: expected coating or bare, found other"]),
         (8, ["bare,-1,uN", "bare,-2,uN"], ["and 1 more", "found -1: ", "take off the sign"]),

@@ -4,12 +4,13 @@ import math
 import re
 import reprlib
 
-#: The quantity that a message asks for, by unit of the study.
+#: The quantity that a message asks for, by unit of the study. Examples have no blanks, because a
+#: command line would split them there.
 EXPECTED_QUANTITY = {
-    "nm": "a length with a unit, such as 5.6 nm or 250 um",
-    "N": "a force with a unit, such as 10 uN",
-    "Pa": "a pressure with a unit, such as 25 GPa",
-    "J/m2": "an energy per area with a unit, such as 46.3 mJ/m2",
+    "nm": "a length with a unit, such as 5.6nm or 250um",
+    "N": "a force with a unit, such as 10uN",
+    "Pa": "a pressure with a unit, such as 25GPa",
+    "J/m2": "an energy per area with a unit, such as 46.3mJ/m2",
 }
 #: Powers of ten of the prefixes; both signs of micro are in use.
 PREFIXES = {

@@ -14,6 +14,9 @@ from hardcontact.contact.contact import Contact
 from hardcontact.scans.reading import MASKS, ReadingOptions
 from hardcontact.surfaces.levelling import LEVELLING_METHODS
 
+#: In nm. Nothing is computed on scans that have this size.
+SIZE_IN_PLACE_OF_FAULTY = 1000.0
+
 
 class CommandLine(ArgumentParser):
     """A parser without abbreviated options, which suggests a known word for an unknown one."""
@@ -115,11 +118,18 @@ def contact_of_quantities(
 def reading_options(
     arguments: Namespace, quantities: Mapping[str, QuantityOption]
 ) -> ReadingOptions:
-    """Return the options of the command line that say how scans are read."""
+    """Return the options of the command line that say how scans are read.
+
+    In place of a faulty --size, which `parse_quantities` reports, files are read with some size.
+    Otherwise each file without a size would be reported as well.
+    """
+    map_size: float | str = NONE
+    if arguments.size is not None:
+        map_size = quantities["size"].number if "size" in quantities else SIZE_IN_PLACE_OF_FAULTY
     return ReadingOptions(
         tip_radius=quantities["tip"].number if "tip" in quantities else None,
         unit=arguments.unit,
-        map_size=quantities["size"].number if "size" in quantities else NONE,
+        map_size=map_size,
         levelling=arguments.levelling,
         mask=arguments.mask,
     )
