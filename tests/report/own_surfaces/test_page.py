@@ -53,6 +53,27 @@ def test_a_hindcast_that_fails_or_lacks_an_octave_leaves_no_edge(ratio, lead):
     assert_says(note, "0.30 [0.27, 0.33]" if ratio == 0.3 else "show no octave", "below 20 nm")
 
 
+@pytest.mark.parametrize(
+    ("ratios", "interval_source", "remark"),
+    [
+        ([1.0, 1.0], "scans", "80 positions, each with other summits, give the mean within"),
+        ([1.5, 3.6], "scans", "on the scans alone; how much forces differ elsewhere is not known"),
+        ([1.0, 1.0], "few_patches", "on the scans alone; how much forces differ elsewhere is not"),
+    ],
+)
+def test_the_contacts_needed_are_not_known_from_small_scans_or_few_patches(
+    ratios, interval_source, remark
+):
+    data = own.force().assign(
+        finite_scan_ratio=(("surface", "end"), [ratios]),
+        interval_source=("surface", [interval_source]),
+        contacts=("surface", [64]),
+        touched_patches=("surface", [3.0]),
+    )
+    (row,) = [row for row in Page(make_page(own.datasets(force=data))).rows if "Scatter" in row[0]]
+    assert_says(row[-1], remark)
+
+
 @pytest.mark.parametrize(("high", "overlap"), [(1000.0, False), (2000.0, True)])
 def test_the_headline_says_if_the_intervals_of_the_edges_overlap(high, overlap):
     line = headline_of(edges=own.move_edge(300.0, 250.0, high))
