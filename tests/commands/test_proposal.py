@@ -186,6 +186,12 @@ def test_scans_like_the_paper_s_get_about_its_grids():
         assert keys["cutoffs"][-1] == paper_keys["cutoffs"][-1]
 
 
+def test_the_caution_on_a_small_scan_says_that_the_page_has_another_search_size():
+    (caution,) = [line for line in propose_keys([user_scan(500)], None, user_contact()).cautions
+                  if "search size" in line]  # fmt: skip
+    assert_says(caution, "from single scans (the page has that of the joined spectrum)")
+
+
 @pytest.mark.parametrize("preload", [5e-6, 20e-6, 25e-6])
 def test_ranges_of_adhesion_lie_apart_however_short_a_range_scans_permit(preload):
     """The shortest range is a 25th of the depth of the contact, sqrt(preload/hardness)."""

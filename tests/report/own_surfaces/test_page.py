@@ -74,6 +74,25 @@ def test_the_contacts_needed_are_not_known_from_small_scans_or_few_patches(
     assert_says(row[-1], remark)
 
 
+def test_one_sentence_names_all_that_is_assumed():
+    (sentence,) = [
+        text for text in Page(make_page(own.datasets())).texts["p"] if text.startswith("Assumed")
+    ]
+    assert sentence.replace("\N{NO-BREAK SPACE}", " ") == (
+        "Assumed, because you gave none: the paper's hardness (25 GPa), "
+        "work of adhesion (46.3 mJ/m²), and a smooth sphere."
+    )
+
+
+def test_hindcasts_that_tested_no_octave_at_either_side_make_one_caution():
+    ratios = {"hindcast_ratio": ("side", [np.nan] * 2), "hindcast_fails": ("side", [1, 1])}
+    answer = make_answer(own.datasets(force=own.force().assign(ratios)))
+    (note,) = [note for note in answer["notes"] if note["code"].startswith("hindcast")]
+    assert_says(note["text"], "no number includes any below 20 nm or above 1 µm")
+    names = {quantity["name"] for quantity in answer["quantities"]}
+    assert names >= {"hindcast_short_start", "hindcast_long_start"}
+
+
 @pytest.mark.parametrize(("high", "overlap"), [(1000.0, False), (2000.0, True)])
 def test_the_headline_says_if_the_intervals_of_the_edges_overlap(high, overlap):
     line = headline_of(edges=own.move_edge(300.0, 250.0, high))

@@ -117,8 +117,9 @@ def _contact_cautions(
             source = f" on scans of {SMALLEST_SIZE_RATIO:.0%} of this size, the smallest tested"
             is_untested = size < SMALLEST_SIZE_RATIO * search_size
             yield (
-                f"{surface}: the sphere finds its highest summits within some "
-                f"{format_length(search_size)}, estimated from single scans. Scans of "
+                f"{surface}: the sphere finds its highest summits within a search size of some "
+                f"{format_length(search_size)}, estimated from single scans (the page has that "
+                "of the joined spectrum). Scans of "
                 f"{LARGE_SIZE_RATIO:g} times this size are large enough, these are "
                 f"{format_length(size)} wide: forces come out {low:g} to {high:g} times too high"
                 f"{source if is_untested else ''}"

@@ -169,16 +169,30 @@ def _few_pixels_caution(force: xr.Dataset) -> Iterator[Caution]:
 
 
 def _hindcast_cautions(surface_data: Datasets) -> Iterator[Caution]:
-    """Yield a caution on the hindcast of each side that has one, grave if it fails."""
+    """Yield a caution on the hindcast of each side that has one, grave if it fails.
+
+    If no octave could be tested at either side, one caution, "hindcast", has the numbers of both.
+    """
     if "hindcast_ratio" not in surface_data.force:
         return
+    side_cautions = []
     for side in SIDES:
         force = surface_data.force.sel(side=side)
         ratio = number_of(force, "hindcast_ratio", name="ratio")
         fails = fails_hindcast(surface_data, side)
         if fails or np.isfinite(ratio.value):
             start = number_of(force, "transition", "nm", name="start")
-            yield Caution(f"hindcast_{side}", ratio, start, grave=fails, side=side)
+            side_cautions.append(Caution(f"hindcast_{side}", ratio, start, grave=fails, side=side))
+    untested = [caution for caution in side_cautions if np.isnan(caution.numbers["ratio"].value)]
+    if len(untested) < len(SIDES):
+        yield from side_cautions
+        return
+    numbers = [
+        number._replace(name=f"{caution.texts['side']}_{number.name}")
+        for caution in untested
+        for number in caution.numbers.values()
+    ]
+    yield Caution("hindcast", *numbers, grave=True)
 
 
 def _blind_scans_caution(surface_data: Datasets) -> Iterator[Caution]:
