@@ -172,15 +172,17 @@ def _correlation_of_quarters(period: float, weight_deviation: float) -> Floats:
     """Return the correlation (4, 4) of the mean forces on the quarters of a periodic map.
 
     Along one axis, the surface attracts the contacts of one half with a weight: a step, 1 on this
-    half and 0 on the other, smoothed by a Gaussian. If roughness is uncorrelated, the covariance of
-    two halves is the mean product of their weights. It follows from the Fourier coefficients of the
-    steps: 1/2, and ±2/(k pi) at odd orders k.
+    half and 0 on the other, smoothed by a Gaussian. A weight is 1/2 plus cosines of odd orders k,
+    with the amplitudes 2/(k pi) before smoothing; the weight of the other half is 1/2 minus them.
+    With S, the sum of amplitude²/2, the mean square of a weight is 1/4 + S, and the mean product of
+    both is 1/4 - S. If roughness is uncorrelated, these are variance and covariance of the forces
+    on the halves. A quarter is a half along each axis, so the correlations of both axes multiply.
     """
     order = np.arange(1, 2000, 2)  # the sum over higher orders is below 1e-4
-    decay = np.exp(-((2 * np.pi * order * weight_deviation / period) ** 2))
-    half_squares = 2 / (np.pi * order) ** 2 * decay
-    covariance_ratio = (0.25 - half_squares.sum()) / (0.25 + half_squares.sum())
-    halves = np.array([[1.0, covariance_ratio], [covariance_ratio, 1.0]])
+    squared_smoothing = np.exp(-((2 * np.pi * order * weight_deviation / period) ** 2))
+    half_square_sum = (2 / (np.pi * order) ** 2 * squared_smoothing).sum()
+    correlation = (0.25 - half_square_sum) / (0.25 + half_square_sum)
+    halves = np.array([[1.0, correlation], [correlation, 1.0]])
     return np.kron(halves, halves)
 
 

@@ -1,4 +1,10 @@
-"""The force on your only map, summed over its pixels and compared with the closed form."""
+"""The force on your only map, summed over its pixels and compared with the closed form.
+
+`hardcontact predict` and `api.predict` use this module: one map, one range of adhesion, plastic
+contact, in seconds. A study computes force.nc (`own.force_dataset`) from contacts on all scans, at
+all ranges and in both contact models, and adds artificial roughness. Both sum over pixels by
+`contact.pull_off`, so on one map their forces differ only if their contacts do.
+"""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -115,6 +121,7 @@ def _plastic_forces(
 ) -> SurfaceForces:
     """Return the plastic forces (N) of a smooth sphere, or of a rough sphere at many positions.
 
+    Their only range of adhesion, index 0 of all arrays, is that of the contact.
     A smooth sphere touches the scan. If there are maps of both bodies, these touch instead, at
     SPHERE_POSITIONS positions. Their sum, the scan, has the sphere at one position alone.
     """

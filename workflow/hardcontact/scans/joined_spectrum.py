@@ -70,7 +70,7 @@ class _Curve(NamedTuple):
 
     wavevector: Floats  #: rad/nm.
     density: Floats  #: C_iso in nm⁴.
-    total_variance: Floats  #: Variance of ln C: mode variance plus that of the calibration.
+    total_variance: Floats  #: Variance of ln C: that of the smooth curve plus the calibration's.
 
 
 def _mean_bins(reliable: NDArray[np.bool_], density: Floats, modes: Floats) -> _MeanBins:
@@ -172,7 +172,7 @@ def _match_height_variance(curve: _Curve, arithmetic_mean: Floats) -> _Curve:
     A smooth curve has the mean of ln C, but its C_iso need not have the measured mean. So ln C of
     each bin changes by multiplier * log_changes, where
 
-        log_changes = mode variance of ln C * share of the bin in the variance of heights,
+        log_changes = variance of ln C * share of the bin in the variance of heights,
 
     and one multiplier serves all bins: uncertain bins with much power change most. The variance of
     the calibration is left out, because the calibration changes all bins of a scan alike. If errors
@@ -278,7 +278,9 @@ def sample_spectra(
     """Yield random spectra that the scans permit, and true relative to measured heights (scan,).
 
     Each `rng` draws in turn all that is uncertain: the radii of unknown tips, the calibration of
-    each scan, the curve through the bins, the Hurst exponent of the tail, and the roll-off.
+    each scan, the curve through the bins, the Hurst exponent of the tail, and the roll-off. Random
+    curves do not keep the measured variance of heights, because few modes carry it: it is
+    uncertain, too.
     """
     measured = _measured_spectra(scans, tip_radii)
     for rng in rngs:
@@ -316,6 +318,7 @@ def _sample_reliable_wavelengths(
 
 
 def _fit_hurst_without_peaks(mean_bins: _MeanBins) -> HurstFit:
+    """Return the Hurst exponent that fits the bins without a peak."""
     density, mode_variance, _, is_peak = mean_bins
     is_fitted = np.isfinite(density) & ~is_peak
     return fit_hurst_exponent(BIN_CENTRES[is_fitted], density[is_fitted], mode_variance[is_fitted])
