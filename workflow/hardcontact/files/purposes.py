@@ -15,6 +15,10 @@ from hardcontact.surfaces.synthesis import BAND_STREAM, SET_STREAM, SIDES
 #: Masters, or whole surfaces, in one job: few enough to keep all cores busy, but so many that a job
 #: takes much longer than its start, half a second.
 MASTERS_PER_JOB = 5
+#: The smaller preload of `exponents`, relative to the study's. At an eighth of the paper's preload a
+#: contact still has some 30 pixels on short-edge masters, and 3 on long-edge ones. Larger preloads
+#: than the study's move short edges beyond the cutoffs of sets.
+SMALL_PRELOAD_SHARE = 1 / 8
 
 
 class Purpose(NamedTuple):
@@ -75,13 +79,11 @@ def master_purposes(study: Mapping[str, Any]) -> dict[str, Purpose]:
             contacts_per_row=set_contacts, radii=[contact.radius], loadings=[loading],
             ranges=[contact.rho], has_rough_sphere=has_rough_sphere,
         ),
-        # How force and edges depend on radius and preload, on a smooth sphere. At an eighth of the
-        # paper's preload the contact still has some 30 pixels on short-edge masters, and 3 on
-        # long-edge ones. Larger preloads move short edges beyond the cutoffs of sets.
+        # How force and edges depend on radius and preload, on a smooth sphere.
         "exponents": Purpose(
             master_count=study["exponents"]["masters"], sides=set_sides, stream=SET_STREAM,
             contacts_per_row=set_contacts, radii=study["exponents"]["radii"],
-            loadings=[_loading(contact, 1 / 8), loading], ranges=[contact.rho],
+            loadings=[_loading(contact, SMALL_PRELOAD_SHARE), loading], ranges=[contact.rho],
             has_rough_sphere=False,
         ),
         # How far plasticity, and a long range of adhesion, move the short edge.
