@@ -15,9 +15,9 @@ from hardcontact.surfaces.synthesis import BAND_STREAM, SET_STREAM, SIDES
 #: Masters, or whole surfaces, in one job: few enough to keep all cores busy, but so many that a job
 #: takes much longer than its start, half a second.
 MASTERS_PER_JOB = 5
-#: The smaller preload of `exponents`, relative to the study's. At an eighth of the paper's preload a
-#: contact still has some 30 pixels on short-edge masters, and 3 on long-edge ones. Larger preloads
-#: than the study's move short edges beyond the cutoffs of sets.
+#: The smaller preload of `exponents`, relative to the study's. At an eighth of the paper's preload
+#: a contact still has some 30 pixels on short-edge masters, and 3 on long-edge ones. Larger
+#: preloads than the study's move short edges beyond the cutoffs of sets.
 SMALL_PRELOAD_SHARE = 1 / 8
 
 
