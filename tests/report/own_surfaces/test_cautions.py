@@ -14,6 +14,7 @@ from hardcontact.base.dataset import read_dataset, write_dataset
 from hardcontact.contact.hertz_jkr_dmt import STRONGEST_WORK
 from hardcontact.contact.numerical_limits import SMALLEST_SIZE_RATIO
 from hardcontact.report.own_surfaces.answer import own_answer, surface_answers
+from hardcontact.scans.defects import DEFECTS
 from hardcontact.scans.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.height_map import load_height_map
 
@@ -47,6 +48,15 @@ def change_forces(area=None, **variables):
     """`force` for `datasets`: with another area of contact (nm²), or other variables."""
     data = own.force().assign(variables)
     return {"force": data if area is None else data.assign_attrs(contact_area=area)}
+
+
+def with_streaks():
+    """`spectra` for `datasets`: the first measurement has 25 streaks."""
+    data = own.spectra()
+    for name, value in zip(DEFECTS["streaks"], (25.0, 12.0, 253.0, 4.1), strict=True):
+        data[name] = data[name].astype(float)
+        data[name][0, 0] = value
+    return {"spectra": data}
 
 
 def smooth_scans():
@@ -89,6 +99,7 @@ CASES = [
     ("repeated_scan", change_spectra("earlier_scan", 1, "scans/trace.spm"), True, {}),
     ("repeated_sites", {"fit": own.fit().assign(look_repeated=("surface", [1]))}, True, {}),
     ("highest", change_spectra("highest_share", 2, 0.06), True, {"highest_share": 0.06}),
+    ("streaks", with_streaks(), True, {"streak_lines": 25.0}),
 ]  # fmt: skip
 
 

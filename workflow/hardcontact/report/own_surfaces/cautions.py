@@ -39,8 +39,8 @@ MAX_LOPSIDEDNESS = 2.0
 NYQUIST_PIXELS = 2
 #: Largest ratio of extrapolated power to that in the scans without a caution: a choice.
 MAX_POWER_RATIO = 2.0
-#: Codes of defects that change the highest points, and thus the force.
-MISLEADING_DEFECTS = frozenset({"spikes", "equal_lines", "highest"})
+#: Codes of defects that may change the highest points, and thus the force.
+MISLEADING_DEFECTS = frozenset({"streaks", "spikes", "equal_lines", "highest"})
 
 
 class Caution:
