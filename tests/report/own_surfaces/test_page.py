@@ -8,12 +8,13 @@ import pytest
 from html_page import Page
 from intervals import between_multiples
 from matplotlib.text import Text
-from own_answers import CASES, FORCES, make_answer, make_page
+from own_answers import CASES, FORCES, make_answer, make_page, setting
 from refusals import assert_says
 
 from hardcontact.report.figures import style
 from hardcontact.report.figures.listing import OWN_FIGURES
 from hardcontact.report.own_surfaces import figures
+from hardcontact.report.own_surfaces.answer import own_answer
 
 FIRST = {"surface": own.SURFACES[0]}
 #: Width of a figure in pixels, on a phone with a screen of 390.
@@ -91,6 +92,17 @@ def test_hindcasts_that_tested_no_octave_at_either_side_make_one_caution():
     assert_says(note["text"], "no number includes any below 20 nm or above 1 µm")
     names = {quantity["name"] for quantity in answer["quantities"]}
     assert names >= {"hindcast_short_start", "hindcast_long_start"}
+
+
+def test_a_quick_page_says_how_to_run_full_effort():
+    answer = own_answer(own.datasets(), setting()._replace(effort="quick"))
+    assert_says(
+        answer["headline"][-1], "Full effort, the same command without --config effort=quick"
+    )
+
+
+def test_scans_that_hardly_change_the_force_do_not_deny_any_change():
+    assert_says(headline_of(edges=own.unresolved_edges()), "hardly changes the force", "at most")
 
 
 @pytest.mark.parametrize(("high", "overlap"), [(1000.0, False), (2000.0, True)])
