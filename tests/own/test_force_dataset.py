@@ -190,6 +190,14 @@ def test_a_mean_over_the_needed_contacts_keeps_the_tolerance():
     assert (force_dataset._contacts_needed(equal_forces, 0.1, 0.9) == 1).all()
 
 
+def test_the_needed_contacts_are_not_known_from_small_scans_or_few_patches():
+    dataset = xr.Dataset({
+        "finite_scan_ratio": (("surface", "end"), [[1.0, 1.0], [1.5, 3.6], [1.0, 1.0]]),
+        "interval_source": ("surface", ["quarters", "scans", "few_patches"]),
+    })  # fmt: skip
+    assert force_dataset._shows_other_summits(dataset).values.tolist() == [True, False, False]
+
+
 def test_intervals_include_the_effect_of_finer_pixels():
     scan_forces = forces_of(adhesion([3, 3]).isel(sphere_scan=[0])).assign(
         extrapolated_force=("surface", [1.0, 1.0]),

@@ -5,6 +5,7 @@ import re
 import numpy as np
 import own_datasets as own
 import pytest
+import xarray as xr
 from html_page import Page
 from intervals import between_multiples
 from matplotlib.text import Text
@@ -54,23 +55,15 @@ def test_a_hindcast_that_fails_or_lacks_an_octave_leaves_no_edge(ratio, lead):
     assert_says(note, "0.30 [0.27, 0.33]" if ratio == 0.3 else "show no octave", "below 20 nm")
 
 
-@pytest.mark.parametrize(
-    ("ratios", "interval_source", "remark"),
-    [
-        ([1.0, 1.0], "scans", "80 positions, each with other summits, give the mean within"),
-        ([1.5, 3.6], "scans", "on the scans alone; how much forces differ elsewhere is not known"),
-        ([1.0, 1.0], "few_patches", "on the scans alone; how much forces differ elsewhere is not"),
-    ],
-)
-def test_the_contacts_needed_are_not_known_from_small_scans_or_few_patches(
-    ratios, interval_source, remark
+@pytest.mark.parametrize(("needed", "remark"), [
+    (80.0, "80 positions, each with other summits, give the mean within"),
+    (np.nan, "on the scans alone; how much forces differ elsewhere is not known"),
+])  # fmt: skip
+def test_the_scatter_is_that_of_the_scans_alone_if_the_needed_contacts_are_not_known(
+    needed, remark
 ):
-    data = own.force().assign(
-        finite_scan_ratio=(("surface", "end"), [ratios]),
-        interval_source=("surface", [interval_source]),
-        contacts=("surface", [64]),
-        touched_patches=("surface", [3.0]),
-    )
+    data = own.force()
+    data["contacts_needed"] = xr.full_like(data["contacts_needed"], needed)
     (row,) = [row for row in Page(make_page(own.datasets(force=data))).rows if "Scatter" in row[0]]
     assert_says(row[-1], remark)
 

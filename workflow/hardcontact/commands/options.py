@@ -14,8 +14,8 @@ from hardcontact.contact.contact import Contact
 from hardcontact.scans.reading import MASKS, ReadingOptions
 from hardcontact.surfaces.levelling import LEVELLING_METHODS
 
-#: In nm. Nothing is computed on scans that have this size.
-SIZE_IN_PLACE_OF_FAULTY = 1000.0
+#: Width (nm) of scans in place of a faulty --size, until the fault is reported. Nothing is written.
+PLACEHOLDER_SIZE = 1000.0
 
 
 class CommandLine(ArgumentParser):
@@ -120,12 +120,12 @@ def reading_options(
 ) -> ReadingOptions:
     """Return the options of the command line that say how scans are read.
 
-    In place of a faulty --size, which `parse_quantities` reports, files are read with some size.
-    Otherwise each file without a size would be reported as well.
+    `parse_quantities` reports a faulty --size. Files are then read with PLACEHOLDER_SIZE, because
+    otherwise each file without a size would be reported as well.
     """
     map_size: float | str = NONE
     if arguments.size is not None:
-        map_size = quantities["size"].number if "size" in quantities else SIZE_IN_PLACE_OF_FAULTY
+        map_size = quantities["size"].number if "size" in quantities else PLACEHOLDER_SIZE
     return ReadingOptions(
         tip_radius=quantities["tip"].number if "tip" in quantities else None,
         unit=arguments.unit,

@@ -36,6 +36,7 @@ from hardcontact.inference.mean_forces import (
     position_half_width,
     summarize_masters,
 )
+from hardcontact.inference.scan_parts import IntervalSource
 from hardcontact.own.wide_pixels import pixel_divisors
 from hardcontact.surfaces.spectrum import spectrum_of_dataset
 from hardcontact.theory.closed_form import closed_form
@@ -78,12 +79,13 @@ def compute_force_dataset(
     6. spectra.nc gives ``search_size`` and ``weibull_modulus``.
     7. ``search_size`` and topography.nc give ``finite_scan_ratio`` and ``pixel_area``. The contact
        gives ``window_share``.
-    8. adhesion.nc gives ``contacts_needed``.
+    8. adhesion.nc gives ``contacts_needed``; ``finite_scan_ratio`` and ``interval_source`` say
+       where it is not known.
 
     Step 3 comes before step 4, because step 4 lowers ``force_interval`` by the effect of finer
     pixels. Extrapolated roughness has a similar effect, and the comparison is to show it. Step 5
     comes after step 4, because a widened interval may exceed the bound. Step 7 needs
-    ``search_size`` from step 6.
+    ``search_size`` from step 6, and step 8 ``finite_scan_ratio`` from step 7.
     """
     adhesion, filtered_forces, topography, spectra, hindcast = inputs
     scan_sizes = topography["scan_size"].to_series().to_dict()
@@ -95,7 +97,7 @@ def compute_force_dataset(
     dataset = _add_closed_form(dataset, spectra, contact)
     dataset = _add_sizes(dataset, topography, contact)
     needed = _contacts_needed(adhesion["pull_off_force"], tolerance, confidence)
-    return dataset.assign(contacts_needed=needed)
+    return dataset.assign(contacts_needed=needed.where(_shows_other_summits(dataset)))
 
 
 def _forces_on_scans(
@@ -285,10 +287,19 @@ def _add_sizes(dataset: xr.Dataset, topography: xr.Dataset, contact: Contact) ->
 def _contacts_needed(forces: xr.DataArray, tolerance: float, confidence: float) -> xr.DataArray:
     """Return the number of contacts whose mean force is within the tolerance, with a confidence.
 
-    A mean over that many contacts has the half width quantile * relative_std / sqrt(count), which
-    is the tolerance. At least one contact is needed.
+    If each contact meets other summits, a mean over that many contacts has the half width
+    quantile * relative_std / sqrt(count), which is the tolerance. At least one contact is needed.
     """
     relative_std = forces.std(SINGLE_CONTACT_AXES) / forces.mean(SINGLE_CONTACT_AXES)
     quantile = float(special.ndtri((1 + confidence) / 2))
     count = (quantile / tolerance * relative_std) ** 2
     return count.clip(min=1).assign_attrs(DIMENSIONLESS)
+
+
+def _shows_other_summits(dataset: xr.Dataset) -> xr.DataArray:
+    """Return whether scans (surface) show how the forces of contacts on other summits differ.
+
+    On a small scan, or on few patches, all contacts find the same summits.
+    """
+    is_large = dataset["finite_scan_ratio"].max("end") <= 1
+    return is_large & (dataset["interval_source"] != IntervalSource.FEW_PATCHES)

@@ -121,9 +121,9 @@ def _plastic_forces(
 ) -> SurfaceForces:
     """Return the plastic forces (N) of a smooth sphere, or of a rough sphere at many positions.
 
-    Their only range of adhesion, index 0 of all arrays, is that of the contact.
-    A smooth sphere touches the scan. If there are maps of both bodies, these touch instead, at
-    SPHERE_POSITIONS positions. Their sum, the scan, has the sphere at one position alone.
+    Index 0 of their arrays is the only range of adhesion, that of the contact. A smooth sphere
+    touches the scan. If there are maps of both bodies, these touch instead, at SPHERE_POSITIONS
+    positions. Their sum, the scan, has the sphere at one position alone.
     """
     if body_maps:
         substrate, sphere = (mirror_in_float32(body_map) for body_map in body_maps)

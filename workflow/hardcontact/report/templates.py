@@ -113,7 +113,7 @@ def _environment() -> Environment:
         "two_digit_words": lambda number: quantities.describe_number(number, 2),
         "without_interval": quantities.describe_without_interval,
         "unbroken": unbroken, "linked": _link_claims,
-        "percent": format_share, "share_of_decades": _share_of_decades, "edge_rows": _edge_rows,
+        "percent": format_share, "share_of_decades": _share_of_decades,
         # A point before a digit, as in Eq. 2, ends no sentence.
         "first_sentence": lambda text: re.split(r"(?<=\.) (?=[\"A-Z])", text, maxsplit=1)[0],
         "base64": lambda data: base64.b64encode(data).decode("ascii"),
@@ -136,14 +136,6 @@ def _code_commit() -> str:
 def _share_of_decades(value: float, low: float, high: float) -> float:
     """Return the position of a value on a logarithmic axis from 0, its low end, to 1, its high."""
     return min(max(math.log(value / low) / math.log(high / low), 0.0), 1.0)
-
-
-def _edge_rows(surfaces: Iterable[Mapping[str, Any]]) -> list[list[Any]]:
-    """Return the label and both edges of each surface."""
-    return [
-        [surface["label"], surface["numbers"]["short_edge"], surface["numbers"]["long_edge"]]
-        for surface in surfaces
-    ]
 
 
 def unbroken(text: Any) -> str:

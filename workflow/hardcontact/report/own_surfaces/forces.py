@@ -11,7 +11,6 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.number import Number, NumberSource, NumberStatus
 from hardcontact.contact.hertz_jkr_dmt import dmt_pull_off
 from hardcontact.inference.octaves import NAMED_OCTAVE_COUNT
-from hardcontact.inference.scan_parts import IntervalSource
 from hardcontact.report.own_surfaces.datasets import (
     Datasets,
     fails_hindcast,
@@ -50,7 +49,7 @@ def force_numbers(surface_data: Datasets) -> list[Number]:
         Number("smooth_force", float(smooth), "N"),
         number_of(forces, "log_force_std", "1"),
         number_of(force, "weibull_modulus", "1"),
-        _contacts_needed(forces),
+        number_of(forces, "contacts_needed", "1"),
         number_of(force, "search_size", "nm"),
         *([number_of(forces, "position_factor")] if "position_factor" in forces else []),
         Number("range_sensitivity", _range_sensitivity(force)),
@@ -68,17 +67,6 @@ def _mean_force_measured_share(surface_data: Datasets) -> Number:
     if unreliable <= np.log1p(surface_data.edges.attrs["tolerance"]):
         source = "measured"
     return Number("mean_force_measured_share", share, source=source)
-
-
-def _contacts_needed(forces: xr.Dataset) -> Number:
-    """Return how many contacts give the mean force, NaN if scans do not show how forces differ.
-
-    On a small scan, or on few patches, all contacts find the same summits.
-    """
-    number = number_of(forces, "contacts_needed", "1")
-    is_small = forces["finite_scan_ratio"].max().item() > 1
-    is_known = not is_small and forces["interval_source"].item() != IntervalSource.FEW_PATCHES
-    return number if is_known else number._replace(value=math.nan)
 
 
 def _extrapolated_forces(surface_data: Datasets) -> list[Number]:
