@@ -136,10 +136,17 @@ def edge_intervals(
 ) -> xr.Variable:
     """Return the shorter and the longer cutoff (..., end) in nm between which edges lie.
 
-    At each cutoff the curve lies between `lowest` and `highest`, its interval. The edge cannot come
-    before the last cutoff at which this interval, and all before it, lie within the limits. It must
-    have come at the first cutoff at which the interval lies wholly outside. An end is NaN if there
-    is no such cutoff; both are NaN if an interval is missing.
+    At each cutoff the curve lies between `lowest` and `highest`, its interval. As more and more
+    waves are removed, this interval is first inside the limits, then across one of them, and at
+    last outside. The edge lies between the last cutoff inside and the first one outside. For
+    example, on the short side, with limits of -0.1 and 0.1:
+
+        cutoff               10 nm          20 nm          40 nm         80 nm
+        lowest to highest    -0.01 to 0.02  -0.02 to 0.08  0.05 to 0.15  0.2 to 0.4
+        the interval is      inside         inside         across        outside
+
+    Here the edge lies between 20 and 80 nm. An end is NaN if the curve has no such cutoff; both are
+    NaN if an interval is missing.
     """
     lower, upper = limits
     low, high = lowest.variable, highest.variable
@@ -164,9 +171,6 @@ def edges_of_ratios(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
     edges = find_edges(curves, limits)
     if "filtered_force_ratio_interval" in ratios:
         interval = ratios["filtered_force_ratio_interval"]
-        # Among ratios with intervals, one without is equal on all parts of scans: its interval has
-        # zero width.
-        interval = interval.fillna(ratio.where(interval.notnull().any([CUTOFF, "end"])))
         with np.errstate(divide="ignore"):  # the lower end of an interval without bounds is zero
             lowest, highest = (xr.ufuncs.log(interval.isel(end=end, drop=True)) for end in (0, 1))
         edges["edge_interval"] = edge_intervals(curves, lowest, highest, limits)

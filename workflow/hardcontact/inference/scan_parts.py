@@ -212,7 +212,7 @@ def interval_half_width(variances: Sequence[Variance], confidence: float) -> Flo
     """Return the half width (...) of the interval of a logarithm with independent variances.
 
     It follows from Student's t with Satterthwaite's degrees of freedom, and is at most
-    MAX_LOG_DEVIATION. NaN if a variance is NaN, or for mere rounding errors.
+    MAX_LOG_DEVIATION. NaN if a variance is NaN; 0 if the variances are mere rounding errors.
     """
     total = np.asarray(sum(variance.value for variance in variances))
     divisor = np.where(total > 0, total, 1.0)
@@ -220,7 +220,7 @@ def interval_half_width(variances: Sequence[Variance], confidence: float) -> Flo
     degrees_of_freedom = 1 / np.where(total > 0, sum(terms), 1.0)
     quantile = student_quantile(degrees_of_freedom, confidence)
     half_width = np.minimum(quantile * np.sqrt(total), MAX_LOG_DEVIATION)
-    return np.where(half_width > MIN_HALF_WIDTH, half_width, np.nan)
+    return np.where(half_width < MIN_HALF_WIDTH, 0.0, half_width)
 
 
 def log_force_ratio(
