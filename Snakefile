@@ -37,7 +37,7 @@ if IS_PAPER_STUDY:
 
     # Contacts in detail, the band, fits, sets, verdicts, figures and pages.
     include: "workflow/rules/single_contacts.smk"
-    include: "workflow/rules/band.smk"
+    include: "workflow/rules/edges.smk"
     include: "workflow/rules/fits.smk"
     include: "workflow/rules/sets.smk"
     include: "workflow/rules/claims.smk"

@@ -204,7 +204,8 @@ def empty_metadata(folder):
          {"synthesize_masters", "compute_filtered_forces", "aggregate_filtered_forces"},
          lose_metadata),
         ("band.tolerance", 0.2,
-         {"find_edges_of_masters", "sample_sets", "fit_exponents", "compute_edge_shifts"},
+         {"find_edges_of_independent_masters", "sample_sets", "fit_exponents",
+          "compute_edge_shifts"},
          empty_metadata),
     ],
 )  # fmt: skip

@@ -60,9 +60,9 @@ MASTER_PARAMETERS = {
 }
 
 
-# Masters share scans, so the forces on them are not independent, and intervals come from parts of the
-# scans (`inference/scan_parts.py`). The masters of `find_edges_of_masters` (band.smk) are independent.
-rule find_edges_of_scans:
+# Masters share scans, so they are not independent, and intervals come from parts of the scans
+# (`inference/scan_parts.py`). The paper's study has `find_edges_of_independent_masters` (edges.smk).
+rule find_edges_of_shared_scans:
     """Find the edges of the band of your surfaces: edges.nc."""
     input:
         adhesion=RESULTS.dataset("adhesion"),
@@ -73,7 +73,7 @@ rule find_edges_of_scans:
     params:
         parameters=MASTER_PARAMETERS,
     script:
-        "../scripts/find_edges_of_scans.py"
+        "../scripts/find_edges_of_shared_scans.py"
 
 
 rule compute_force_dataset:

@@ -3,7 +3,7 @@
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.height_map import load_height_map
 from hardcontact.surfaces.spectrum import load_spectrum
-from hardcontact.surfaces.synthesis import BAND_STREAM, master_generator, synthesize_master
+from hardcontact.surfaces.synthesis import STUDY_STREAM, master_generator, synthesize_master
 
 with run_job(snakemake) as job:
     params = job.parameters
@@ -11,7 +11,7 @@ with run_job(snakemake) as job:
     scan = load_height_map(job.input.scan)
     spectrum = load_spectrum(job.input.spectrum)
     for side, settings in params["sides"].items():
-        rng = master_generator(params["seed"], surface, realization, side, BAND_STREAM)
+        rng = master_generator(params["seed"], surface, realization, side, STUDY_STREAM)
         master = synthesize_master(side, rng, scan, settings, spectrum)
         title = f"{side}-edge master: realization {realization} of {surface}"
         job.write(master.to_dataset(), title, side)

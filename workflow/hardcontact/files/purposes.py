@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 from hardcontact.config.configuration import get_key, master_keys, study_contact
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.numerical_limits import SHORT_ADHESION_RANGE
-from hardcontact.surfaces.synthesis import BAND_STREAM, SET_STREAM, SIDES
+from hardcontact.surfaces.synthesis import SETS_STREAM, SIDES, STUDY_STREAM
 
 #: Masters, or whole surfaces, in one job: few enough to keep all cores busy, but so many that a job
 #: takes much longer than its start, half a second.
@@ -28,7 +28,7 @@ class Purpose(NamedTuple):
     master_count: int  #: Of each substrate and side.
     #: By side the settings of its masters: pixels, cutoffs and transition, on the long side tiles.
     sides: Mapping[str, Mapping[str, Any]]
-    stream: str  #: BAND_STREAM or SET_STREAM: which random numbers masters have.
+    stream: str  #: STUDY_STREAM or SETS_STREAM: which random numbers masters have.
     # Contacts. Forces are computed for all radii, loadings and ranges.
     contacts_per_row: int
     radii: Sequence[float]  #: Of the sphere, in nm.
@@ -61,27 +61,27 @@ def master_purposes(study: Mapping[str, Any]) -> dict[str, Purpose]:
     return {
         # The edges of the study.
         "band": Purpose(
-            master_count=study["band"]["masters"], sides=band_sides, stream=BAND_STREAM,
+            master_count=study["band"]["masters"], sides=band_sides, stream=STUDY_STREAM,
             contacts_per_row=contact.contacts_per_row, radii=[contact.radius], loadings=[loading],
             ranges=[contact.rho], has_rough_sphere=has_rough_sphere,
             masters_are_files=True, masters_per_job=1,
         ),
         # How far the uncertain spectra of measured surfaces move these edges.
         "sampled": Purpose(
-            master_count=study["band"]["masters"], sides=band_sides, stream=BAND_STREAM,
+            master_count=study["band"]["masters"], sides=band_sides, stream=STUDY_STREAM,
             contacts_per_row=contact.contacts_per_row, radii=[contact.radius], loadings=[loading],
             ranges=[contact.rho], has_rough_sphere=has_rough_sphere,
             samples_spectra=True, masters_per_job=1,
         ),
         # The edges of each set.
         "sets": Purpose(
-            master_count=study["sets"]["masters"], sides=set_sides, stream=SET_STREAM,
+            master_count=study["sets"]["masters"], sides=set_sides, stream=SETS_STREAM,
             contacts_per_row=set_contacts, radii=[contact.radius], loadings=[loading],
             ranges=[contact.rho], has_rough_sphere=has_rough_sphere,
         ),
         # How force and edges depend on radius and preload, on a smooth sphere.
         "exponents": Purpose(
-            master_count=study["exponents"]["masters"], sides=set_sides, stream=SET_STREAM,
+            master_count=study["exponents"]["masters"], sides=set_sides, stream=SETS_STREAM,
             contacts_per_row=set_contacts, radii=study["exponents"]["radii"],
             loadings=[_loading(contact, SMALL_PRELOAD_SHARE), loading], ranges=[contact.rho],
             has_rough_sphere=False,
@@ -89,7 +89,7 @@ def master_purposes(study: Mapping[str, Any]) -> dict[str, Purpose]:
         # How far plasticity, and a long range of adhesion, move the short edge.
         "edge_shifts": Purpose(
             master_count=study["exponents"]["masters"], sides={"short": set_sides["short"]},
-            stream=SET_STREAM, contacts_per_row=set_contacts, radii=[contact.radius],
+            stream=SETS_STREAM, contacts_per_row=set_contacts, radii=[contact.radius],
             loadings=[loading, rigid_loading], ranges=[SHORT_ADHESION_RANGE, contact.rho],
             has_rough_sphere=has_rough_sphere,
         ),

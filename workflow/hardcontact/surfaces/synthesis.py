@@ -153,14 +153,14 @@ def long_edge_master(
 SIDES = ("short", "long")
 #: Streams of random numbers, for masters of the study and of sets: two masters of the same scan and
 #: side have different random waves if their streams differ.
-BAND_STREAM = SEED_WORDS["masters of the study"]
-SET_STREAM = SEED_WORDS["masters of the sets"]
+STUDY_STREAM = SEED_WORDS["masters of the study"]
+SETS_STREAM = SEED_WORDS["masters of the sets"]
 
 
 def master_generator(
     seed: int, surface: str, realization: int, side: str, stream: str
 ) -> np.random.Generator:
-    """Return the random generator of a master; `stream` is BAND_STREAM or SET_STREAM."""
+    """Return the random generator of a master; `stream` is STUDY_STREAM or SETS_STREAM."""
     return generator(seed, surface, realization, f"{SEED_WORDS[side]}-scale {stream}")
 
 

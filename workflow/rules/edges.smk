@@ -10,9 +10,9 @@ BAND_SURFACES = SELECTION.substitute_substrates
 BAND_FORCES = RESULTS.dataset("band/{surface}")
 
 
-# Intervals are over masters, because each master of a substitute has its own scan, so that all are
-# independent. The masters of `find_edges_of_scans` (own_surfaces.smk) share scans.
-rule find_edges_of_masters:
+# Each master of a substitute has its own scan, so masters are independent, and intervals are over masters.
+# The masters of `find_edges_of_shared_scans` (own_surfaces.smk) share scans.
+rule find_edges_of_independent_masters:
     """Find the edges of the band of the paper's study: edges.nc."""
     input:
         filtered_forces=RESULTS.dataset("filtered_forces"),
@@ -21,7 +21,7 @@ rule find_edges_of_masters:
     params:
         parameters=dict(tolerance=STUDY["band"]["tolerance"], sampling=SAMPLING),
     script:
-        "../scripts/find_edges_of_masters.py"
+        "../scripts/find_edges_of_independent_masters.py"
 
 
 # For the published and the computed band, the parts are the waves in the band, all waves but shorter ones,
