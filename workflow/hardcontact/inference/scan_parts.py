@@ -202,7 +202,8 @@ def delete_one_logarithms(
 def jackknife_variance(logarithms: Floats, scan_parts: ScanParts) -> Variance:
     """Return the corrected jackknife variance of the logarithm of a statistic.
 
-    `logarithms` (part, ...) come from `delete_one_logarithms`.
+    `logarithms` (part, ...) come from `delete_one_logarithms`. If the parts are scans, the variance
+    is that of `base.statistics.jackknife_interval`, which knows no quarters.
     """
     factor, degrees_of_freedom = scan_parts.variance_correction
     return Variance((len(logarithms) - 1) * logarithms.var(axis=0) * factor, degrees_of_freedom)
