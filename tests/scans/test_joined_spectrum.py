@@ -6,7 +6,12 @@ from measurements import gentle_density, measurement, random_line, random_map, t
 
 from hardcontact.base.arrays import generator
 from hardcontact.scans.extrapolation import HURST_SCATTER
-from hardcontact.scans.joined_spectrum import joined_spectrum, sample_spectra, smooth_curve
+from hardcontact.scans.joined_spectrum import (
+    joined_spectrum,
+    sample_curve,
+    sample_spectra,
+    smooth_curve,
+)
 from hardcontact.scans.measured_spectrum import (
     CALIBRATION_SCATTER,
     isotropic_psd,
@@ -146,7 +151,7 @@ def test_sampled_curves_scatter_with_the_stated_variance():
     density = np.where(is_measured, gentle_density(BIN_CENTRES), np.nan)
     point_variance = np.where(is_measured, variance_of_log(modes), np.nan)
     wavevector, mean, variance = smooth_curve(density, point_variance)
-    curves = [smooth_curve(density, point_variance, generator(23, sample)) for sample in range(400)]
+    curves = [sample_curve(generator(23, sample), density, point_variance) for sample in range(400)]
     sampled_logs = np.log([curve.density for curve in curves])
     np.testing.assert_allclose(
         sampled_logs.std(axis=0), np.sqrt(variance - CALIBRATION_SCATTER**2), rtol=0.15

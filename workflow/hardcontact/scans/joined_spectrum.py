@@ -1,5 +1,19 @@
 """One spectrum of a surface from all scans of it: maps of several sizes, and line scans.
 
+Bins are equally wide in ln q. `joined_spectrum` finds one C_iso in each bin, in six steps:
+
+1. Each scan has its C_iso, its number of modes and its reliable bins (`_measured_spectra`).
+2. In each bin the reliable C_iso of all scans are averaged twice. The mean of ln C is for the
+   curve, because its scatter is known. The mean of C has the variance of heights (`_mean_bins`).
+3. Bins with more power than chance gives to a smooth spectrum hold peaks (`_find_peaks`).
+4. A smooth curve through the means of ln C, without peaks, bridges gaps (`smooth_curve`). Peaks
+   get their mean of C (`_restore_peaks`).
+5. The curve changes a little, so that its variance of heights is that of the means of C
+   (`_match_height_variance`).
+6. The curve is extrapolated to all scales (`_extrapolate_curve`).
+
+`sample_spectra` repeats steps 2 to 4 and 6 with random errors, which show how far C_iso is known.
+
 Arrays called `density` hold C_iso in nm⁴; in datasets ``spectrum``, ``psd`` and ``joined_psd`` do.
 """
 
@@ -49,6 +63,8 @@ UNKNOWN_TIP_RADII = (5.0, 50.0)
 #: Standard deviation of the change of the slope d ln C/d ln q over a decade. A roll-off changes the
 #: slope by 2 + 2H, some 3.6, once in three measured decades: 3.6/sqrt(3) is about 2.
 SLOPE_CHANGE = 2.0
+#: The same from one bin to the next: the changes over a decade are independent.
+BEND_STD = SLOPE_CHANGE * np.sqrt(BIN_WIDTH / np.log(10))
 #: A bin holds a peak, such as a grating's, if chance gives so much power with less than this
 #: probability. Among 60 bins, one in 170 spectra has a false peak.
 PEAK_PROBABILITY = 1e-4
@@ -63,6 +79,11 @@ class _MeanBins(NamedTuple):
     mode_variance: Floats  #: (bins,) variance of ln C, because modes are few.
     arithmetic_mean: Floats  #: (bins,) C_iso in nm⁴, the mean of C itself.
     is_peak: NDArray[np.bool_]  #: (bins,) True where a grating, for example, adds power.
+
+    @property
+    def density_between_peaks(self) -> Floats:
+        """C_iso in nm⁴ from the mean of ln C, NaN at peaks, too."""
+        return np.where(self.is_peak, np.nan, self.density)
 
 
 class _Curve(NamedTuple):
@@ -118,51 +139,61 @@ def _find_peaks(
         is_peak[new_peaks] = True
 
 
-def smooth_curve(
-    density: Floats, mode_variance: Floats, rng: np.random.Generator | None = None
-) -> _Curve:
-    """Return a smooth curve through bins and across gaps; with `rng`, a random such curve.
+def smooth_curve(density: Floats, mode_variance: Floats) -> _Curve:
+    """Return a smooth curve through bins and across gaps.
 
     C_iso (bins,) is NaN in gaps. The curve f should lie near ln C, but bend little. A bend is the
-    change of the slope df/d ln q from one bin to the next, and has the standard deviation
-    `bend_std`. With weight = 1/mode_variance, or 0 in gaps, f minimizes
+    change of the slope df/d ln q from one bin to the next, and has the standard deviation BEND_STD.
+    With weight = 1/mode_variance, or 0 in gaps, f minimizes
 
         sum(weight * (ln C - f)²) + sum((scaled_bends @ f)²),
 
     so that f = covariance @ (weight * ln C). In eleven bins of one mode each, ln C scatters by 1.3,
     the curve in the middle by 0.5.
-
-    In the words of Bayes, bends are independent and normal: the slope is a Wiener process. Then f
-    is the posterior mean, `covariance` its covariance, and a random curve is a sample of the
-    posterior (Wahba, J. R. Stat. Soc. B 40 (1978) 364).
     """
+    span, weight, covariance = _curve_posterior(density, mode_variance)
+    log_density = np.log(np.where(weight > 0, density[span], 1.0))
+    return _curve_of(span, covariance @ (weight * log_density), covariance)
+
+
+def sample_curve(rng: np.random.Generator, density: Floats, mode_variance: Floats) -> _Curve:
+    """Return a random curve that the bins permit as well as `smooth_curve`.
+
+    In the words of Bayes, bends are independent and normal: the slope is a Wiener process. Then
+    the smooth curve is the posterior mean, `covariance` its covariance, and the random curve is a
+    sample of the posterior (Wahba, J. R. Stat. Soc. B 40 (1978) 364).
+    """
+    span, weight, covariance = _curve_posterior(density, mode_variance)
+    # The prior curve has random bends. Noisy values of it differ from the measured ln C. The smooth
+    # curve through the differences, added to the prior curve, gives the sample.
+    prior_curve = BIN_WIDTH * np.cumsum(np.cumsum(BEND_STD * rng.standard_normal(len(weight))))
+    noise_std = np.where(weight > 0, np.sqrt(mode_variance[span]), 0.0)
+    log_density = np.log(np.where(weight > 0, density[span], 1.0))
+    differences = log_density - prior_curve - noise_std * rng.standard_normal(len(weight))
+    return _curve_of(span, prior_curve + covariance @ (weight * differences), covariance)
+
+
+def _curve_posterior(density: Floats, mode_variance: Floats) -> tuple[slice, Floats, Floats]:
+    """Return the span of measured bins, and the weights and the covariance of `smooth_curve`."""
     finite = np.flatnonzero(np.isfinite(density))
-    measured_span = slice(finite[0], finite[-1] + 1)
-    weight = np.where(np.isfinite(density), 1 / mode_variance, 0.0)[measured_span]
-    count = len(weight)
-    bend_std = SLOPE_CHANGE * np.sqrt(BIN_WIDTH / np.log(10))
-    # A matrix (count - 2, count): its product with a curve is the bends over `bend_std`.
-    scaled_bends = np.diff(np.eye(count), n=2, axis=0) / (BIN_WIDTH * bend_std)
-    covariance = np.linalg.inv(np.diag(weight) + scaled_bends.T @ scaled_bends)
-    log_density = np.log(np.where(weight > 0, density[measured_span], 1.0))
-    prior_curve = np.zeros(count)
-    if rng is not None:
-        # The prior curve has random bends. Noisy values of it differ from the measured ln C. The
-        # smooth curve through the differences, added to the prior curve, gives the sample.
-        prior_curve = BIN_WIDTH * np.cumsum(np.cumsum(bend_std * rng.standard_normal(count)))
-        noise_std = np.where(weight > 0, np.sqrt(mode_variance[measured_span]), 0.0)
-        log_density = log_density - prior_curve - noise_std * rng.standard_normal(count)
-    smooth = np.exp(prior_curve + covariance @ (weight * log_density))
+    span = slice(finite[0], finite[-1] + 1)
+    weight = np.where(np.isfinite(density), 1 / mode_variance, 0.0)[span]
+    # A matrix (count - 2, count): its product with a curve is the bends over BEND_STD.
+    scaled_bends = np.diff(np.eye(len(weight)), n=2, axis=0) / (BIN_WIDTH * BEND_STD)
+    return span, weight, np.linalg.inv(np.diag(weight) + scaled_bends.T @ scaled_bends)
+
+
+def _curve_of(span: slice, log_curve: Floats, covariance: Floats) -> _Curve:
+    """Return the curve exp(log_curve) at the bins of a span."""
     total_variance = np.diag(covariance) + CALIBRATION_SCATTER**2
-    return _Curve(BIN_CENTRES[measured_span], smooth, total_variance)
+    return _Curve(BIN_CENTRES[span], np.exp(log_curve), total_variance)
 
 
-def _smooth_between_peaks(mean_bins: _MeanBins, rng: np.random.Generator | None = None) -> _Curve:
-    """Return a smooth curve through the bins without a peak; peaks keep their power."""
-    is_peak = mean_bins.is_peak
-    curve = smooth_curve(np.where(is_peak, np.nan, mean_bins.density), mean_bins.mode_variance, rng)
+def _restore_peaks(curve: _Curve, mean_bins: _MeanBins) -> _Curve:
+    """Return a curve with the power of peaks, through which it was not drawn."""
     is_in_curve = np.isin(BIN_CENTRES, curve.wavevector)
-    density = np.where(is_peak[is_in_curve], mean_bins.arithmetic_mean[is_in_curve], curve.density)
+    is_peak = mean_bins.is_peak[is_in_curve]
+    density = np.where(is_peak, mean_bins.arithmetic_mean[is_in_curve], curve.density)
     return curve._replace(density=density)
 
 
@@ -179,13 +210,13 @@ def _match_height_variance(curve: _Curve, arithmetic_mean: Floats) -> _Curve:
     of bins were independent and the change small, no curve with this variance of heights would be
     more likely. Gaps, in which the mean is NaN, neither count nor change.
     """
-    wavevector, density, total_variance = curve
-    mean_in_curve = arithmetic_mean[np.isin(BIN_CENTRES, wavevector)]
+    mean_in_curve = arithmetic_mean[np.isin(BIN_CENTRES, curve.wavevector)]
     # Bins are equally wide in ln q, so the variance of heights is the sum of q² C_iso, up to a
     # factor.
-    height_variance = np.nansum(mean_in_curve * wavevector**2)
-    share = np.where(np.isfinite(mean_in_curve), density * wavevector**2 / height_variance, 0.0)
-    log_changes = (total_variance - CALIBRATION_SCATTER**2) * share
+    height_variance = np.nansum(mean_in_curve * curve.wavevector**2)
+    variance_of_bins = curve.density * curve.wavevector**2
+    share = np.where(np.isfinite(mean_in_curve), variance_of_bins / height_variance, 0.0)
+    log_changes = (curve.total_variance - CALIBRATION_SCATTER**2) * share
 
     def relative_excess(multiplier: float) -> float:
         """Return the excess of the curve's variance of heights, relative to what it should be."""
@@ -193,7 +224,7 @@ def _match_height_variance(curve: _Curve, arithmetic_mean: Floats) -> _Curve:
 
     bound = MAX_LOG_CHANGE / log_changes.max()
     multiplier = scipy.optimize.brentq(relative_excess, -bound, bound)
-    return curve._replace(density=density * np.exp(multiplier * log_changes))
+    return curve._replace(density=curve.density * np.exp(multiplier * log_changes))
 
 
 class _MeasuredSpectra(NamedTuple):
@@ -246,7 +277,9 @@ def joined_spectrum(scans: Sequence[HeightMap], tip_radii: Sequence[float | None
     measured = _measured_spectra(scans, tip_radii)
     reliable = _reliable_mask(measured.densities, measured.scan_waves)
     mean_bins = _mean_bins(reliable, measured.densities, measured.modes)
-    curve = _match_height_variance(_smooth_between_peaks(mean_bins), mean_bins.arithmetic_mean)
+    smooth = smooth_curve(mean_bins.density_between_peaks, mean_bins.mode_variance)
+    curve = _restore_peaks(smooth, mean_bins)
+    curve = _match_height_variance(curve, mean_bins.arithmetic_mean)
     curve_density = Spectrum(curve.wavevector, curve.density)(BIN_CENTRES)
     joined_density = np.where(reliable.any(axis=0), curve_density, np.nan)
     hurst_fit = _fit_hurst_without_peaks(mean_bins)
@@ -297,7 +330,8 @@ def sample_spectra(
         mean_log_factor = log_power_factors.mean()
         densities = measured.densities * np.exp(log_power_factors - mean_log_factor)[:, None]
         mean_bins = _mean_bins(reliable, densities, measured.modes)
-        curve = _smooth_between_peaks(mean_bins, rng)
+        curve = sample_curve(rng, mean_bins.density_between_peaks, mean_bins.mode_variance)
+        curve = _restore_peaks(curve, mean_bins)
         hurst_fit = _fit_hurst_without_peaks(mean_bins)
         hurst_deviation = hurst_fit.error * rng.standard_normal()
         density, *_ = _extrapolate_curve(
@@ -319,9 +353,10 @@ def _sample_reliable_wavelengths(
 
 def _fit_hurst_without_peaks(mean_bins: _MeanBins) -> HurstFit:
     """Return the Hurst exponent that fits the bins without a peak."""
-    density, mode_variance, _, is_peak = mean_bins
-    is_fitted = np.isfinite(density) & ~is_peak
-    return fit_hurst_exponent(BIN_CENTRES[is_fitted], density[is_fitted], mode_variance[is_fitted])
+    density = mean_bins.density_between_peaks
+    is_fitted = np.isfinite(density)
+    mode_variance = mean_bins.mode_variance[is_fitted]
+    return fit_hurst_exponent(BIN_CENTRES[is_fitted], density[is_fitted], mode_variance)
 
 
 def _extrapolate_curve(
@@ -332,11 +367,12 @@ def _extrapolate_curve(
     hurst_deviation: float = 0.0,
 ) -> tuple[Floats, Tail, float]:
     """Return C_iso (nm⁴) on WAVEVECTORS, extrapolated from a curve, its tail and roll-off (nm)."""
-    wavevector, density, _ = curve
-    density, tail = extrapolate_short_waves(wavevector, density, hurst_fit, hurst_deviation)
+    density, tail = extrapolate_short_waves(
+        curve.wavevector, curve.density, hurst_fit, hurst_deviation
+    )
     slopes, _ = local_slopes(*curve)
     slope = float(slopes[0])
-    longest = float(2 * np.pi / wavevector[0])
+    longest = float(2 * np.pi / curve.wavevector[0])
     rolloff = rolloff_evidence.rolloff_quantile(density, longest, slope, rolloff_probability)
     return extrapolate_long_waves(density, longest, slope, rolloff), tail, rolloff
 
