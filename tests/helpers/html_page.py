@@ -1,6 +1,7 @@
 """A page as a browser sees it: tags, texts, pictures, links and rows of tables."""
 
 import posixpath
+import re
 from html.parser import HTMLParser
 
 #: Elements that have no end.
@@ -35,6 +36,7 @@ class Page(HTMLParser):
         assert tag not in VOID and self.open_elements.pop()[0] == tag, (tag, self.getpos())
 
     def handle_data(self, data):
+        data = re.sub(" *\n *", " ", data)  # as browsers show it
         for tag, index in self.open_elements:
             self.texts[tag][index] += data
         if {"td", "th"} & {tag for tag, _ in self.open_elements}:
