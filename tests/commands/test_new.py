@@ -179,12 +179,14 @@ def test_all_problems_are_reported_at_once_and_nothing_is_written(folder, run):
     assert sorted(folder.rglob("*")) == files_before
 
 
-def test_a_size_without_unit_makes_no_fault_of_the_file(folder, run):
+@pytest.mark.parametrize(("unit", "size", "message"), [
+    ("nm", "5", "error: --size: expected a length with a unit, such as 5.6nm or 250um, found '5'"),
+    ("nn", "5um", "error: --unit: expected none, m, mm, um, nm, angstrom or pm, or two of these, "
+     "such as mm,nm, found 'nn'"),
+])  # fmt: skip
+def test_a_faulty_size_or_unit_makes_no_fault_of_the_file(folder, run, unit, size, message):
     np.savetxt(folder / "bare.txt", rough())
-    (error,) = run(NAME, "bare.txt", "--unit", "nm", "--size", "5").errors
-    assert (
-        error == "error: --size: expected a length with a unit, such as 5.6nm or 250um, found '5'"
-    )
+    assert run(NAME, "bare.txt", "--unit", unit, "--size", size).errors == [message]
 
 
 #: Arguments that are refused, and parts of the message.

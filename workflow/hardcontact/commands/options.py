@@ -14,8 +14,9 @@ from hardcontact.contact.contact import Contact
 from hardcontact.scans.reading import MASKS, ReadingOptions
 from hardcontact.surfaces.levelling import LEVELLING_METHODS
 
-#: Width (nm) of scans in place of a faulty --size, until the fault is reported. Nothing is written.
-PLACEHOLDER_SIZE = 1000.0
+#: Width (nm) and unit of scans in place of a faulty --size and --unit, until the fault is reported.
+#: Nothing is written.
+PLACEHOLDER_SIZE, PLACEHOLDER_UNIT = 1000.0, "nm"
 
 
 class CommandLine(ArgumentParser):
@@ -120,15 +121,15 @@ def reading_options(
 ) -> ReadingOptions:
     """Return the options of the command line that say how scans are read.
 
-    `parse_quantities` reports a faulty --size. Files are then read with PLACEHOLDER_SIZE, because
-    otherwise each file without a size would be reported as well.
+    `parse_quantities` reports a faulty --size or --unit. Files are then read with a placeholder,
+    because otherwise each file without a size or a unit would be reported as well.
     """
     map_size: float | str = NONE
     if arguments.size is not None:
         map_size = quantities["size"].number if "size" in quantities else PLACEHOLDER_SIZE
     return ReadingOptions(
         tip_radius=quantities["tip"].number if "tip" in quantities else None,
-        unit=arguments.unit,
+        unit=arguments.unit if UNIT.matches(arguments.unit) else PLACEHOLDER_UNIT,
         map_size=map_size,
         levelling=arguments.levelling,
         mask=arguments.mask,

@@ -51,10 +51,13 @@ class Matching:
     pattern: str
     expects: str
 
+    def matches(self, text: str) -> bool:
+        """Return whether a text matches; a terminal would obey control characters."""
+        return text.isprintable() and bool(re.fullmatch(self.pattern, text))
+
     def check(self, text: str) -> str:
         """Return a text that matches; refuse other texts."""
-        # A terminal would obey control characters.
-        if text.isprintable() and re.fullmatch(self.pattern, text):
+        if self.matches(text):
             return text
         raise ValueError(f"expected {self.expects}, found {shorten(text)}")
 
