@@ -2,6 +2,7 @@
 
 import ast
 import importlib
+import logging
 import multiprocessing
 import os
 import runpy
@@ -82,6 +83,8 @@ def call_main(module, words, environment, output):
     sys.stdout = sys.stderr = open_output()
     if shell := sys.modules.get("snakemake.shell"):
         shell.STDOUT = None  # Jobs write to the same output, not where pytest captures.
+    # A job whose fork comes while another thread writes to pytest's log would wait for it forever.
+    logging.getLogger().handlers.clear()
     sys.argv = [module, *words]
     warnings.resetwarnings()
     warnings.simplefilter("ignore")
