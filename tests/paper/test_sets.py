@@ -8,6 +8,7 @@ from paper_numbers import CLAIMS, CONSTANTS, MEAN_FORCE, SUBSTRATES, WORK
 from set_inputs import (
     CONFIDENCE,
     CONTACTS,
+    HEIGHTS,
     MODELS,
     RHO,
     SCANS,
@@ -17,8 +18,7 @@ from set_inputs import (
     make_masters,
 )
 
-from hardcontact.base.statistics import Sampling
-from hardcontact.inference.published_fit import PublishedForces, fit_published
+from hardcontact.inference.published_fit import PublishedForces
 from hardcontact.paper.sets import (
     SetSettings,
     adhesion_of_set,
@@ -35,24 +35,46 @@ SETTINGS = SetSettings(
     confidence=CONFIDENCE,
 )  # fmt: skip
 THIRD_SET = {"seed": 1, "set_number": 3}
-NO_SAMPLES = Sampling(seed=1, sample_count=0, confidence=CONFIDENCE)
 CLAIMS_OF_SETS = CLAIMS[CLAIMS["samples_from"] == "sets"]
 PRINTED = pd.DataFrame({"mean_force": MEAN_FORCE}, index=SUBSTRATES)
 PUBLISHED = PublishedForces(PRINTED, pair=(5.6, WORK), error_threshold=0.1)
+
+
+def relative_heights(scans):
+    """Return rms heights (scan,) of a set, relative to the mean in Table 1; they vary by 0.2."""
+    deviations = scans["rms_height"] - scans["rms_height"].mean()
+    return 1 + 0.2 * deviations / deviations.std(ddof=1)
+
+
+def mean_forces(scans):
+    """Return forces (contact_model,) on scans of a pool and a rough sphere, from their formula."""
+    # ln F falls in proportion to the height; the pool begins at 0.3 times the mean height.
+    log_force = scans["log_force"].isel(rms_height_of_force=0).sel(rho=5.6, contact_model=MODELS)
+    forces = np.exp(log_force + 0.3 - relative_heights(scans))
+    return SPHERE_FACTORS * forces.mean(["scan", "contact_y", "contact_x"]).values
 
 
 def test_values_and_fit_are_those_of_each_set():
     inputs = make_inputs()
     sets = sample_sets(inputs, CLAIMS_OF_SETS, CONSTANTS, PUBLISHED, SETTINGS)
     for number in (1, 2):
-        values = sets["value"].sel(set=number)
-        sampled_scans = sample_set_scans(inputs, 1, number)
-        adhesion = adhesion_of_set(inputs, sampled_scans, 1, number)
-        fit = fit_published(adhesion, PUBLISHED, "uncd", NO_SAMPLES)
-        ranges = sets["range_of_adhesion"].sel(set=number, contact_model=MODELS)
-        np.testing.assert_allclose(fit["range_of_adhesion"].sel(contact_model=MODELS), ranges)
-        gradient = sampled_scans["ncd"]["rms_gradient"].mean().item()
-        assert values.sel(claim="afm_rms_slope_ncd").item() == pytest.approx(gradient)
+        scans = {
+            surface: inputs.pools[surface].sel(scan=sampled_scans["number"].values)
+            for surface, sampled_scans in sample_set_scans(inputs, 1, number).items()
+        }
+        ncd = scans["ncd"]
+        gradients = ncd["rms_gradient"] / ncd["rms_height"] * HEIGHTS["ncd"] * relative_heights(ncd)
+        gradient = sets["value"].sel(set=number, claim="afm_rms_slope_ncd").item()
+        assert gradient == pytest.approx(gradients.mean().item())
+        # Forces grow as the square root of the range, so all ranges fit equally well, and only the
+        # work times this root is known. At the best work one surface has its published force.
+        forces = np.array([mean_forces(scans[surface]) for surface in SUBSTRATES])
+        works = MEAN_FORCE[:, None] / forces
+        errors = np.abs(forces * works[:, None] / MEAN_FORCE[:, None] - 1).mean(axis=1)
+        fit = sets.sel(set=number, contact_model=MODELS)
+        np.testing.assert_allclose(fit["best_error"], errors.min(axis=0))
+        fitted_works = fit["work_of_adhesion"] * np.sqrt(fit["range_of_adhesion"] / 5.6)
+        np.testing.assert_allclose(fitted_works, works[errors.argmin(axis=0), [0, 1]])
 
 
 def test_the_factor_of_the_sphere_is_the_ratio_of_mean_forces():
