@@ -145,7 +145,8 @@ def jackknife_interval(value: ArrayLike, leave_one_out: ArrayLike, confidence: f
     `leave_one_out` (n, ...) has the statistic without each scan. Leaving out one of n scans changes
     a mean by only 1/(n - 1) of the distance of this scan from it, so that the squared error of the
     statistic's logarithm is n - 1 times the variance of these logarithms. NaN for fewer than two
-    scans, or if a statistic is not positive.
+    scans, or if a statistic is not positive. Unlike `inference.scan_parts.jackknife_variance`, it
+    cannot take quarters of scans, because it does not correct for their correlation.
     """
     statistics = np.asarray(leave_one_out, float)
     logarithms = np.log(np.where(statistics > 0, statistics, np.nan))
