@@ -140,13 +140,13 @@ def student_log_samples(rng: np.random.Generator, values: Floats, sample_count: 
 
 
 def jackknife_interval(value: ArrayLike, leave_one_out: ArrayLike, confidence: float) -> Floats:
-    """Return the interval (..., 2) of a positive statistic of n scans by the jackknife.
+    """Return the interval (..., 2) of a positive statistic by the jackknife.
 
-    `leave_one_out` (n, ...) has the statistic without each scan. Leaving out one of n scans changes
-    a mean by only 1/(n - 1) of the distance of this scan from it, so that the squared error of the
-    statistic's logarithm is n - 1 times the variance of these logarithms. NaN for fewer than two
-    scans, or if a statistic is not positive. Unlike `inference.scan_parts.jackknife_variance`, it
-    cannot take quarters of scans, because it does not correct for their correlation.
+    `leave_one_out` (n, ...) has the statistic without each of n independent scans or masters.
+    Without one of n scans a mean changes by only 1/(n - 1) of the distance of this scan from it, so
+    that the squared error of the statistic's logarithm is n - 1 times the variance of these
+    logarithms. NaN for fewer than two scans, or if a statistic is not positive. Quarters
+    of a scan correlate, so they need the correction in `inference.scan_parts.jackknife_variance`.
     """
     statistics = np.asarray(leave_one_out, float)
     logarithms = np.log(np.where(statistics > 0, statistics, np.nan))
