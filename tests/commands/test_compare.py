@@ -101,6 +101,14 @@ def test_the_largest_resolved_changes_of_the_answer_come_first():
     assert names == ["large", "small", "unresolved", "unknown", "equal", "bumps_mean_force"]
 
 
+def test_all_edges_of_the_answer_come_before_other_numbers(paper):
+    edges = {row["name"] for row in paper["quantities"] if row["name"].endswith("_edge")}
+    assert {"outermost_short_edge", "averaged_long_edge", "short_edge"} <= edges
+    for name in edges:
+        rows = [ComparedNumber("", key, Number(key, 1), Number(key, 2)) for key in ("other", name)]
+        assert min(rows, key=lambda row: row.sort_key).name == name
+
+
 def test_the_table_begins_with_the_inputs_that_differ(studies):
     lines = comparison(studies / "paper", "harder").splitlines()
     assert [line.split() for line in lines[:2]] == [

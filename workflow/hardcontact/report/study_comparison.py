@@ -30,7 +30,9 @@ NO_LOW_END = (EdgeStatus.OPEN_BELOW, NumberStatus.INTERVAL_OPEN_LOW, *NO_INTERVA
 #: Statuses of numbers whose interval has no high end.
 NO_HIGH_END = (EdgeStatus.OPEN_ABOVE, NumberStatus.INTERVAL_OPEN_HIGH, *NO_INTERVAL_WORDS)
 #: Names of the numbers that stand first in a comparison, and of those that stand last.
-MAIN_NUMBERS = re.compile("(short|long)_edge(_first)?|mean_force|(range|work)_of_adhesion")
+MAIN_NUMBERS = re.compile(
+    "((outermost|averaged)_)?(short|long)_edge|mean_force|(range|work)_of_adhesion"
+)
 MINOR_NUMBERS = re.compile("(bumps|pits|gaussian|verdicts)_.*|.*_(scatter|agreeing_share)")
 
 SET_DATASETS = ("sets", "topography", "filtered_forces", "features")
