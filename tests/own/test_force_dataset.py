@@ -199,18 +199,10 @@ def test_the_needed_contacts_are_not_known_from_small_scans_or_few_patches():
 
 
 def test_intervals_include_the_effect_of_finer_pixels():
-    scan_forces = forces_of(adhesion([3, 3]).isel(sphere_scan=[0])).assign(
-        extrapolated_force=("surface", [1.0, 1.0]),
-        extrapolated_force_interval=(("surface", "end"), [[0.9, 1.1]] * 2),
-    )
-    names = ["hindcast_ratio", "hindcast_ratio_interval", "hindcast_fails"]
-    hindcast = xr.Dataset(
-        {"wide_pixel_ratio": ("surface", [1.5, 0.9])}
-        | {name: ("surface", [1.0, 1.0]) for name in names},
-        {"surface": ["a", "b"]},
-    )
-    widened = force_dataset._widen_intervals(scan_forces, hindcast)
-    change = (widened.force_interval / scan_forces.force_interval).transpose("surface", "end", ...)
+    scan_forces = forces_of(adhesion([3, 3]).isel(sphere_scan=[0]))
+    tested = scan_forces.assign(wide_pixel_ratio=("surface", [1.5, 0.9]))
+    lowered = force_dataset._allow_for_finer_pixels(tested)
+    change = (lowered.force_interval / scan_forces.force_interval).transpose("surface", "end", ...)
     np.testing.assert_allclose(change.isel(surface=0, end=0), 1 / 1.5)
     np.testing.assert_allclose(change.isel(surface=0, end=1), 1)
     np.testing.assert_allclose(change.isel(surface=1), 1)

@@ -7,7 +7,7 @@ EDGE_SHIFT_CHUNKS = CHUNKS.master_forces("edge_shifts")
 #: Bands need whole surfaces: scans are too small for their long waves.
 BAND_SURFACES = SELECTION.substitute_substrates
 #: Not in the store, because the forces depend on the edges that the study found.
-BAND_FORCES = RESULTS.dataset("band/{surface}")
+BAND_FORCES = RESULTS.dataset("band_forces/{surface}")
 
 
 # Each master of a substitute has its own scan, so masters are independent, and intervals are over masters.

@@ -82,9 +82,9 @@ def find_edges(
     signed_cutoffs = _signed_cutoffs(curves)
     is_outside = (changes < lower) | (changes > upper)
     first_outside, last_inside = _first_and_last_before(signed_cutoffs, is_outside)
-    change_outside = changes.where(signed_cutoffs == first_outside).max(CUTOFF)
+    change_outside = _change_at(changes, signed_cutoffs, first_outside)
     # Without a cutoff inside, the curve comes from the end of its spectrum, where it is zero.
-    change_inside = changes.where(signed_cutoffs == last_inside).max(CUTOFF).fillna(0.0)
+    change_inside = _change_at(changes, signed_cutoffs, last_inside).fillna(0.0)
     cutoff_inside = abs(last_inside).fillna(xr.as_variable(spectrum_ends))
     crossed_limit = change_outside.clip(lower, upper)
     fraction = (crossed_limit - change_inside) / (change_outside - change_inside)
@@ -93,12 +93,9 @@ def find_edges(
     is_open = edge.isnull()
     signed_bound = last_inside.fillna(first_outside).where(is_open)
     starts_outside = first_outside.notnull()
-    is_short = signed_bound > 0
-    open_status = np.select(
-        [is_short & starts_outside, is_short & ~starts_outside, ~is_short & starts_outside],
-        [EdgeStatus.OPEN_BELOW, EdgeStatus.OPEN_ABOVE, EdgeStatus.OPEN_ABOVE],
-        EdgeStatus.OPEN_BELOW,  # on the long side, inside to the last
-    )
+    # The second table: short and outside from the first on, or long and inside to the last.
+    lies_below = (signed_bound > 0) == starts_outside
+    open_status = np.where(lies_below, EdgeStatus.OPEN_BELOW, EdgeStatus.OPEN_ABOVE)
     return xr.Dataset(
         {
             "edge": (edge.dims, edge.values, NM),
@@ -118,6 +115,11 @@ def _signed_cutoffs(curves: xr.DataArray) -> Any:
     is_short = curves["side"].variable == "short"
     cutoffs: Any = curves[CUTOFF].variable * (2 * is_short - 1)
     return cutoffs.where(curves.variable.notnull()).transpose(*curves.dims)
+
+
+def _change_at(changes: Any, signed_cutoffs: Any, signed_cutoff: Any) -> Any:
+    """Return the change (...) of each curve at one of its signed cutoffs (...), NaN at NaN."""
+    return changes.where(signed_cutoffs == signed_cutoff).max(CUTOFF)
 
 
 def _first_and_last_before(signed_cutoffs: Any, mask: Any) -> tuple[Any, Any]:

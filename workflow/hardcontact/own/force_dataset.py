@@ -44,6 +44,9 @@ from hardcontact.theory.summits import search_size
 
 #: Quantiles of the forces of single contacts: the median, and the ends of the middle half and 90 %.
 FORCE_QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
+HINDCAST_VARIABLES = [
+    "hindcast_ratio", "hindcast_ratio_interval", "hindcast_fails", "wide_pixel_ratio",
+]  # fmt: skip
 
 
 class ForceInputs(NamedTuple):
@@ -71,9 +74,9 @@ def compute_force_dataset(
        interval and scatter. On a rough sphere ``position_factor`` is added, too.
     2. filtered_forces.nc gives ``extrapolated_force`` (surface, side) with its interval.
     3. ``force``, ``force_interval`` and ``extrapolated_force`` give ``extrapolation_matters``.
-    4. hindcast.nc, if there is one, gives ``hindcast_ratio`` and ``wide_pixel_ratio``. The former
-       and ``position_factor`` widen ``extrapolated_force_interval``. The latter lowers the low end
-       of ``force_interval``.
+    4. hindcast.nc, if there is one, gives HINDCAST_VARIABLES. ``hindcast_ratio`` and
+       ``position_factor`` widen ``extrapolated_force_interval``. ``wide_pixel_ratio`` lowers the
+       low end of ``force_interval``.
     5. The force on a smooth sphere, ``smooth_bound``, is added, and bounds both forces and
        intervals.
     6. spectra.nc gives ``search_size`` and ``weibull_modulus``.
@@ -92,7 +95,10 @@ def compute_force_dataset(
     dataset = _forces_on_scans(adhesion, contact, scan_sizes, confidence)
     extrapolated = _forces_on_masters(filtered_forces, master_scans, contact.work, confidence)
     dataset = _add_extrapolated_forces(dataset, extrapolated, tolerance)
-    dataset = _widen_intervals(dataset, hindcast)
+    if hindcast is not None:
+        dataset = dataset.merge(hindcast[HINDCAST_VARIABLES], join="left")
+    dataset = _widen_extrapolated_force(dataset)
+    dataset = _allow_for_finer_pixels(dataset)
     dataset = _bound_by_smooth_sphere(dataset, contact.area)
     dataset = _add_closed_form(dataset, spectra, contact)
     dataset = _add_sizes(dataset, topography, contact)
@@ -219,26 +225,29 @@ def _plastic_at_range(data: Any, rho: float) -> Any:
     return data.sel(contact_model=PLASTIC, drop=True).sel(rho=rho, method="nearest", drop=True)
 
 
-def _widen_intervals(dataset: xr.Dataset, hindcast: xr.Dataset | None) -> xr.Dataset:
-    """Return the dataset with intervals that include further errors.
+def _widen_extrapolated_force(dataset: xr.Dataset) -> xr.Dataset:
+    """Return the dataset with a wider interval of the extrapolated force, by up to two errors.
 
-    The interval of the extrapolated force gets two: the unknown position of a rough sphere, which
-    that of the force on scans already includes, and the error that the hindcast shows. The interval
-    of the force on scans gets a lower end, because of finer pixels.
+    The unknown position of a rough sphere, which the interval of the force on scans already
+    includes, and the error that the hindcast shows, widen it to either side.
     """
     if "position_factor" in dataset:
         factor = _plastic_at_range(dataset, dataset.attrs["rho"])["position_factor"]
         dataset = widen_interval(dataset, "extrapolated_force", factor)
-    if hindcast is not None:
-        names = ["hindcast_ratio", "hindcast_ratio_interval", "hindcast_fails", "wide_pixel_ratio"]
-        dataset = dataset.merge(hindcast[names], join="left")
+    if "hindcast_ratio" in dataset:
         dataset = widen_interval(dataset, "extrapolated_force", dataset["hindcast_ratio"])
-        interval = dataset["force_interval"]
-        # Finer pixels would lower forces, not raise them (`own.wide_pixels`).
-        lowered = interval / pixel_divisors(dataset)
-        interval = interval.where(interval["end"] != "low", lowered).transpose(*interval.dims)
-        dataset = dataset.assign(force_interval=interval)
     return dataset
+
+
+def _allow_for_finer_pixels(dataset: xr.Dataset) -> xr.Dataset:
+    """Return the dataset with a lower low end of ``force_interval``.
+
+    Finer pixels would lower forces, not raise them (`own.wide_pixels`).
+    """
+    interval = dataset["force_interval"]
+    lowered = interval / pixel_divisors(dataset)
+    interval = interval.where(interval["end"] != "low", lowered).transpose(*interval.dims)
+    return dataset.assign(force_interval=interval)
 
 
 def _bound_by_smooth_sphere(dataset: xr.Dataset, area: float) -> xr.Dataset:
