@@ -38,7 +38,7 @@ def force_paths(values=None):
         *files.paths(patterns.pull_off, files.plan.substrate_scan_ids),
         *files.paths(patterns.pool, chunks.pools),
         *files.paths(patterns.whole_surfaces, chunks.whole_surfaces),
-        *files.paths(patterns.master_forces, chunks.master_forces("band")),
+        *files.paths(patterns.master_forces, chunks.master_forces("edges")),
         *files.paths(patterns.master_forces, chunks.master_forces("edge_shifts")),
     ]
 

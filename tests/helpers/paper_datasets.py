@@ -107,7 +107,7 @@ def edge_shifts() -> xr.Dataset:
 
 
 def sets() -> xr.Dataset:
-    """Return sets with fewer cutoffs than `band`; 58 % have ranges above 5 nm, others below."""
+    """Return sets with fewer cutoffs than the study; 58 % have ranges above 5 nm, others below."""
     scatter = np.random.default_rng(1).lognormal(0, 0.1, (SET_COUNT, 2))
     ranges = np.where(np.arange(SET_COUNT) < 58, 9.0, 1.3)[:, None] * scatter
     fits = ("set", "contact_model")

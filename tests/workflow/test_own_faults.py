@@ -111,7 +111,7 @@ def flip_a_bit(path):
 
 def test_altered_files_are_refused_until_they_are_deleted_and_made_again(copy, own_study):
     (forces,) = (copy / STORE / "pull_off").glob("*/sphere/*/*/*/*/twin/*/scan-1.nc")
-    (filtered,) = (copy / STORE / "filtered/band").rglob("twin/*/*/*/*.nc")
+    (filtered,) = (copy / STORE / "filtered/edges").rglob("twin/*/*/*/*.nc")
     spectra = copy / RESULTS / "spectra.nc"
     altered_files = (forces, filtered, spectra)
     flip_a_bit(forces)

@@ -252,7 +252,7 @@ def cluster(monkeypatch):
 def test_a_job_that_slurm_refuses_or_ends_has_one_line_with_the_remedy(
     cluster, finished_copy, tmp_path
 ):
-    filtered = [*(finished_copy / "results/store-tiny/filtered/band").rglob("*.nc")]
+    filtered = [*(finished_copy / "results/store-tiny/filtered/edges").rglob("*.nc")]
     runs = []
     for number, (fault, target) in enumerate(zip(FAULTS, filtered, strict=False)):
         target.unlink()
@@ -273,7 +273,7 @@ def test_a_job_that_slurm_refuses_or_ends_has_one_line_with_the_remedy(
 
 def test_slurm_recovers_a_cancelled_job_and_gives_the_same_values(cluster, finished, tmp_path):
     """Forces on masters of one surface are computed as without SLURM."""
-    filtered = (finished / "results/store-tiny/filtered/band").rglob("uncd/**/*.nc")
+    filtered = (finished / "results/store-tiny/filtered/edges").rglob("uncd/**/*.nc")
     targets = [path.relative_to(finished).as_posix() for path in filtered]
     study, log = copy_repository(tmp_path / "study"), tmp_path / "log"
     cancelled = run_and_cancel(study, log, targets)

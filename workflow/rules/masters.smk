@@ -5,13 +5,13 @@ from hardcontact.config.keys import SMOOTH_SPHERE
 from hardcontact.files.settings import largest_master_megabytes
 from hardcontact.surfaces.synthesis import SIDES
 
-BAND_CHUNKS = CHUNKS.master_forces("band")
+EDGE_CHUNKS = CHUNKS.master_forces("edges")
 #: Masters of sampled spectra, which your surfaces alone have.
 SAMPLED_CHUNKS = [] if IS_PAPER_STUDY else CHUNKS.master_forces("sampled")
 
 
 rule synthesize_masters:
-    """Make a master of `band` for each side: a scan with random waves beyond the side's transition."""
+    """Make a master of the purpose `edges` for each side: a scan with random waves beyond the side's transition."""
     input:
         scan=lambda w: FILES.contact_map_path(
             w.surface, PLAN.master_scan_number(w.surface, int(w.realization))
@@ -20,8 +20,8 @@ rule synthesize_masters:
     output:
         **{side: STORE.masters.replace("{side}", side) for side in SIDES},
     resources:
-        # The settings of `band` give the pixels of surfaces in contact. Masters have no more.
-        mem_mb=largest_master_megabytes(SETTINGS["band"]),
+        # The settings of `edges` give the pixels of surfaces in contact. Masters have no more.
+        mem_mb=largest_master_megabytes(SETTINGS["edges"]),
     params:
         parameters=lambda w: dict(
             surface=w.surface,
@@ -34,7 +34,7 @@ rule synthesize_masters:
 
 # `w.purpose` is one of the purposes in hardcontact/files/purposes.py, of which ../README.md has a table and
 # an example. The rule reads masters or makes them:
-#   band            reads the masters that synthesize_masters wrote. Inputs: short_masters, long_masters
+#   edges           reads the masters that synthesize_masters wrote. Inputs: short_masters, long_masters
 #   other purposes  makes each master and forgets it. Inputs: scans, spectra
 # It is one rule, because its name is in the records of all these forces.
 rule compute_filtered_forces:
@@ -60,13 +60,13 @@ rule compute_filtered_forces:
 rule aggregate_filtered_forces:
     """Gather the forces on all filtered masters of the band: filtered_forces.nc."""
     input:
-        master_forces=FILES.paths(STORE.master_forces, BAND_CHUNKS),
+        master_forces=FILES.paths(STORE.master_forces, EDGE_CHUNKS),
         sampled_master_forces=FILES.paths(STORE.master_forces, SAMPLED_CHUNKS),
     output:
         RESULTS.dataset("filtered_forces"),
     params:
         parameters=dict(
-            surfaces=[chunk.surface for chunk in BAND_CHUNKS],
+            surfaces=[chunk.surface for chunk in EDGE_CHUNKS],
             sampled_surfaces=[chunk.surface for chunk in SAMPLED_CHUNKS],
             loading=PLAN.contact.loading_name,
             **LABELS_AND_SOURCES,

@@ -25,7 +25,7 @@ with run_job(snakemake) as job:
     for index, realization in enumerate(params["realization_numbers"]):
         for side in sides:
             settings = params["sides"][side]
-            if master_paths := job.input.get(f"{side}_masters"):  # The purpose is `band`.
+            if master_paths := job.input.get(f"{side}_masters"):  # The purpose is `edges`.
                 master = load_height_map(master_paths[index])
             else:  # For other purposes the job makes the master.
                 scan = load_height_map(job.input.scans[index])

@@ -47,7 +47,7 @@ class Purpose(NamedTuple):
 def master_purposes(study: Mapping[str, Any]) -> dict[str, Purpose]:
     """Return the purposes by the name in the paths of their forces.
 
-    `band` and `sampled` have the same random numbers, so that their forces differ only because
+    `edges` and `sampled` have the same random numbers, so that their forces differ only because
     spectra are sampled. `sets` has others, because sets are other random choices than the study.
     `exponents` and `edge_shifts` have the numbers and pixels of `sets`, so the first of its
     masters.
@@ -60,7 +60,7 @@ def master_purposes(study: Mapping[str, Any]) -> dict[str, Purpose]:
     loading, rigid_loading = _loading(contact), _loading(contact, plastic=False)
     return {
         # The edges of the study.
-        "band": Purpose(
+        "edges": Purpose(
             master_count=study["band"]["masters"], sides=band_sides, stream=STUDY_STREAM,
             contacts_per_row=contact.contacts_per_row, radii=[contact.radius], loadings=[loading],
             ranges=[contact.rho], has_rough_sphere=has_rough_sphere,
