@@ -10,7 +10,9 @@
 #   SETTINGS           the settings of each kind of intermediate: all that its rule takes from STUDY. Their
 #                      digest is in its path; a comment beside them names them. Most rules of final files
 #                      take single keys of STUDY instead
-#   CHUNKS             what one job computes together: some masters, whole surfaces or scans of a pool
+#   CHUNKS             what one job computes together: some masters, whole surfaces or scans of a pool.
+#                      FILES.paths(STORE.master_forces, CHUNKS.master_forces("edges")), for example, fills
+#                      the pattern of forces with the fields of each chunk of the purpose `edges`
 #   CONTACT_ARGUMENTS  the arguments of class Contact that are keys: hardness, preload, window,
 #                      contacts_per_row and radius, without range and work of adhesion
 #   DESCRIPTION_INPUTS the inputs `description` and `tables`: the description of a substitute, and the tables

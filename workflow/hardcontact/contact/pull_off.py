@@ -6,6 +6,16 @@ A pixel attracts with the pressure (W/rho) exp(-gap/rho), Eq. 2 of the paper. Th
 
 with the area a of a pixel and the gaps at closest approach, Eq. 3. Forces are computed at a work of
 adhesion W of 1 J/m², because they are proportional to it.
+
+From the sums to adhesion.nc, each function gives more than the one before:
+
+    attraction_sums         the sums, for several numbers of contact pixels
+    forces_at_loadings      the forces that they give: on masters and, by `make_force_function`,
+                            on surfaces with changed octaves
+    pull_off_dataset        rigid and plastic forces of one scan of each body
+    pull_off_on_spheres     the same on all scans of the sphere
+    pull_off_with_checks    also the effects of window and pixels
+    stack_pull_off_forces   all this of all scans of all surfaces: adhesion.nc
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence

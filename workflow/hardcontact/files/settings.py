@@ -43,7 +43,22 @@ class IntermediateKind(NamedTuple):
 
 
 def intermediate_kinds(plan: StudyPlan) -> dict[str, IntermediateKind]:
-    """Return the kinds of intermediates by name."""
+    """Return the kinds of intermediates by name.
+
+    Each is made from the kinds above it that are indented less; the last row needs none:
+
+        measurements
+            measured_spectra, sampled_spectra
+            measured_scans
+        substitute_scans
+            scans (of both rows before)
+                pull_off, elastic, asperities
+                both_bodies (also of both kinds of spectra)
+                    octave_forces, hindcast, forces on masters that are no files
+                    masters
+                        forces on these masters: edges
+        whole_surfaces, band_forces, pool, featured_candidates
+    """
     master_forces = {
         name: IntermediateKind(
             _master_force_settings(plan.study, purpose),

@@ -281,7 +281,8 @@ def edges_of_shared_scans(
     """Return the edges of your surfaces, and their force ratios, with intervals.
 
     Masters share your few scans, so they are not independent, and intervals come from parts
-    of the scans (`inference.scan_parts`), widened by the error of artificial roughness.
+    of the scans (`inference.scan_parts`), widened by the error of artificial roughness. Which of
+    these edges the page gives, `report.own_surfaces.edges` decides.
     `forces` is filtered_forces.nc, `hindcast` hindcast.nc, or None if all surfaces are substitutes.
     """
     ratios = summarize_masters(
