@@ -102,7 +102,8 @@ def position_half_width(surface_forces: SurfaceForces, confidence: float) -> Flo
 def mean_intervals(surface_forces: SurfaceForces, confidence: float) -> Floats:
     """Return the intervals (rho, 2) of the mean forces of one surface, in N.
 
-    Half widths from scan parts and from the position of a rough sphere add in squares.
+    Half widths from scan parts and from the position of a rough sphere add in squares, so that the
+    latter is the one that `position_half_width` gives to other intervals.
     """
     log_means_and_parts = zip(
         surface_forces.delete_one_log_means, surface_forces.scan_parts, strict=True
