@@ -15,7 +15,7 @@ LAYERS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that the library may have, without docstrings, comments and blank lines, so that one
 #: person can still read it. If a useful change needs more lines, raise the number in its commit and
 #: say there what a user gets for it.
-MAX_CODE_LINES = 16_786
+MAX_CODE_LINES = 16_787
 
 
 def layer_modules(layer):

@@ -154,4 +154,4 @@ def test_what_cannot_be_compared_is_refused_in_a_line(studies):
     (studies / "answer.json").write_text("[]")
     assert_says(refusal(comparison, studies, "paper"), "expected the answer of a study")
     (studies / "answer.json").write_text(json.dumps(own_answer("mine", "bare")))
-    assert_says(refusal(comparison, "paper", studies), "mine: expected", "found own surfaces")
+    assert_says(refusal(comparison, "paper", studies), "mine: expected", "one of your surfaces")

@@ -126,7 +126,7 @@ def test_several_surfaces_a_sphere_and_forces_make_a_study(folder, run):
     config, table = accepted(folder, done)
     assert table.surface.tolist() == ["surface_3_nm", "coated_ii", "sphere"]
     assert table.label.tolist() == ["3 nm", "Coated (II)", "sphere"]
-    assert "coated_ii is Coated (II)" in done.out
+    assert "coated_ii for Coated (II)" in done.out
     assert config["sphere"] == {"surface": "sphere", "radius": 1e5}
     assert config["forces"] == "my: #1.csv" and config["adhesion"]["range"] == 4
     assert config["adhesion"]["work"] == 0.05

@@ -197,7 +197,7 @@ def _report_lines(
     yield "Found:"
     yield _scan_table(scans, proposal.contact_scans)
     labels = {scan.scan_file.surface: scan.scan_file.label for scan in scans}
-    ids = [f"{surface} is {label}" for surface, label in labels.items() if surface != label]
+    ids = [f"{surface} for {label}" for surface, label in labels.items() if surface != label]
     if ids:
         yield f"\nNames of surfaces in paths, tables and your table of forces: {', '.join(ids)}"
     if left_out:

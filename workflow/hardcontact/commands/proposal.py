@@ -207,7 +207,7 @@ def _master_choices(
     yield Choice("band.short.pixels", short_pixels, f"{format_length(short_pixel_size)} a pixel")
     yield short_transition
     yield Choice("band.short.cutoffs", short_cutoffs, "from four pixels to the size of the scan")
-    yield Choice("band.long.pixels", long_pixels, "those of the scans")
+    yield Choice("band.long.pixels", long_pixels, "with the pixel size of the scans")
     yield Choice("band.long.tiles", scans_per_row, tiles_reason)
     yield long_transition
     yield Choice("band.long.cutoffs", long_cutoffs, "to half the size of the master")

@@ -24,6 +24,8 @@ from hardcontact.surfaces.metrics import TABLE1_METRICS
 
 #: Digits to which equal numbers agree. Other processors cause relative changes up to 1.7e-10.
 EQUAL_DIGITS = 8
+#: What a study is of, by its kind.
+STUDIED = {"paper": "the paper", "own surfaces": "your surfaces"}
 INPUT_SOURCES = ("given", "assumed", "file")
 #: Statuses of numbers whose interval has no low end.
 NO_LOW_END = (EdgeStatus.OPEN_BELOW, NumberStatus.INTERVAL_OPEN_LOW, *NO_INTERVAL_WORDS)
@@ -130,8 +132,8 @@ def compare_answers(
     """
     if first["kind"] != second["kind"]:
         raise ValueError(
-            f"{second['study']}: expected a study of the kind of {first['study']}, "
-            f"{first['kind']}, found {second['kind']}"
+            f"{second['study']}: expected a study of {STUDIED[first['kind']]}, as "
+            f"{first['study']} is, found one of {STUDIED[second['kind']]}"
         )
     inputs = [*_differing_inputs(first, second)]
     results = []
