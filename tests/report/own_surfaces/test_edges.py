@@ -104,16 +104,27 @@ def test_open_and_extrapolated_edges_recommend_a_measurement(data, advice):
     assert [(scan.edge, scan.code, scan.limit.value) for scan in measurements] == advice
 
 
+def notes_of_hindcasts(ratios, fails):
+    """The codes and texts of all notes; the ratios are of both sides, 320 to 800 nm is missing."""
+    scans = {name: MEASUREMENTS[name] for name in ("fine.spm", "line.txt")}
+    variables = between_multiples("hindcast_ratio", "side", ratios, (0.9, 1.1), CONFIDENCE)
+    tested = force().assign(variables | {"hindcast_fails": ("side", fails)})
+    answer = make_answer(datasets(force=tested, spectra=spectra(scans=scans)))
+    return [(note["code"], note["text"]) for note in answer["notes"]]
+
+
 @pytest.mark.parametrize(("ratio", "code"), [(np.nan, "gap"), (0.3, "larger")])
 def test_a_gap_is_to_be_measured_if_the_scans_show_no_octave_for_a_hindcast(ratio, code):
-    scans = {name: MEASUREMENTS[name] for name in ("fine.spm", "line.txt")}  # 320 to 800 nm missing
-    ratios = between_multiples("hindcast_ratio", "side", [1.0, ratio], (0.9, 1.1), CONFIDENCE)
-    untested = force().assign(ratios | {"hindcast_fails": ("side", [0, 1])})
-    data = datasets(force=untested, spectra=spectra(scans=scans))
-    notes = {note["code"]: note["text"] for note in make_answer(data)["notes"]}
+    notes = dict(notes_of_hindcasts([1.0, ratio], [0, 1]))
     assert code in notes and ("gap" in notes) == (code == "gap")
     advice = "For the long edge, measure wavelengths of 320 nm to 800 nm, which no scan shows"
     assert (advice in notes[code]) == (code == "gap")
+
+
+def test_a_scan_that_may_find_both_edges_is_asked_for_once():
+    notes = notes_of_hindcasts([np.nan, np.nan], [1, 1])
+    (advice,) = [text for code, text in notes if code == "gap"]
+    assert advice.startswith("For both edges, measure wavelengths of 320 nm to 800 nm")
 
 
 @pytest.mark.parametrize(("pixel_size", "suffice"), [(5.0, True), (20.0, False)])

@@ -82,9 +82,20 @@ def test_hindcasts_that_tested_no_octave_at_either_side_make_one_caution():
     ratios = {"hindcast_ratio": ("side", [np.nan] * 2), "hindcast_fails": ("side", [1, 1])}
     answer = make_answer(own.datasets(force=own.force().assign(ratios)))
     (note,) = [note for note in answer["notes"] if note["code"].startswith("hindcast")]
-    assert_says(note["text"], "no number includes any below 20 nm or above 1 µm")
+    assert_says(note["text"], "no force or edge includes any below 20 nm or above 1 µm")
     names = {quantity["name"] for quantity in answer["quantities"]}
     assert names >= {"hindcast_short_start", "hindcast_long_start"}
+
+
+def test_a_small_window_and_a_small_scan_are_said_to_change_the_force_in_opposite_directions():
+    small = {"finite_scan_ratio": (("surface", "end"), [[2.0, 4.0]])}
+    window = {"window_share": ("rho", [1, 1, 0.36, 0.2, 0.1])}
+    texts = [
+        {note["code"]: note["text"] for note in make_answer(own.datasets(force=data))["notes"]}
+        for data in (own.force().assign(window), own.force().assign(window | small))
+    ]
+    both_errors = "lowers the computed forces, while the small scan raises them"
+    assert [both_errors in text["window"] for text in texts] == [False, True]
 
 
 def test_a_quick_page_says_how_to_run_full_effort():

@@ -1,6 +1,7 @@
 """The answer of a study of your surfaces: the content of its answer.json, and its page."""
 
 from collections.abc import Iterator
+from itertools import groupby
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -181,9 +182,12 @@ def _surface_notes(surfaces: list[SurfaceAnswer]) -> Iterator[dict[str, Any]]:
         facts: dict[str, Any] = {"label": surface.label, "several": len(surfaces) > 1, **LIMITS}
         for caution in surface.cautions:
             note_head = (caution.code, surface.name, caution.grave)
-            yield render_note("own_caution.txt", "caution", *note_head, caution=caution, **facts)
-        for scan in surface.next_scans:
-            yield render_note("own_next.txt", "next", scan.code, surface.name, scan=scan, **facts)
+            facts |= {"caution": caution, "numbers": surface.numbers}
+            yield render_note("own_caution.txt", "caution", *note_head, **facts)
+        # The same scan may find both edges.
+        for scan, same_scans in groupby(surface.next_scans, lambda scan: scan._replace(edge="")):
+            facts |= {"scan": scan, "edge_names": [same_scan.edge for same_scan in same_scans]}
+            yield render_note("own_next.txt", "next", scan.code, surface.name, **facts)
 
 
 def _caution_numbers(surface_cautions: list[Caution]) -> Iterator[Number]:

@@ -173,26 +173,23 @@ def _hindcast_cautions(surface_data: Datasets) -> Iterator[Caution]:
 
     If no octave could be tested at either side, one caution, "hindcast", has the numbers of both.
     """
-    if "hindcast_ratio" not in surface_data.force:
+    force = surface_data.force
+    if "hindcast_ratio" not in force or force["hindcast_fails"].isnull().all():
         return
-    side_cautions = []
-    for side in SIDES:
-        force = surface_data.force.sel(side=side)
-        ratio = number_of(force, "hindcast_ratio", name="ratio")
+    ratios = [number_of(force.sel(side=side), "hindcast_ratio", name="ratio") for side in SIDES]
+    starts = [number_of(force.sel(side=side), "transition", "nm", name="start") for side in SIDES]
+    sides = list(zip(SIDES, ratios, starts, strict=True))
+    if force["hindcast_ratio"].isnull().all():
+        side_numbers = [
+            number._replace(name=f"{side}_{number.name}")
+            for side, *numbers in sides
+            for number in numbers
+        ]
+        yield Caution("hindcast", *side_numbers, grave=True)
+        return
+    for side, ratio, start in sides:
         fails = fails_hindcast(surface_data, side)
-        if fails or np.isfinite(ratio.value):
-            start = number_of(force, "transition", "nm", name="start")
-            side_cautions.append(Caution(f"hindcast_{side}", ratio, start, grave=fails, side=side))
-    untested = [caution for caution in side_cautions if np.isnan(caution.numbers["ratio"].value)]
-    if len(untested) < len(SIDES):
-        yield from side_cautions
-        return
-    numbers = [
-        number._replace(name=f"{caution.texts['side']}_{number.name}")
-        for caution in untested
-        for number in caution.numbers.values()
-    ]
-    yield Caution("hindcast", *numbers, grave=True)
+        yield Caution(f"hindcast_{side}", ratio, start, grave=fails, side=side)
 
 
 def _blind_scans_caution(surface_data: Datasets) -> Iterator[Caution]:
